@@ -1,0 +1,48 @@
+# One static library a folder of src/, and the installed library made of all of them.
+
+add_library(unsliver_options INTERFACE)
+target_compile_features(unsliver_options INTERFACE cxx_std_20)
+target_compile_options(unsliver_options INTERFACE
+  -Wall -Wextra -Wpedantic $<$<BOOL:${UNSLIVER_WERROR}>:-Werror>
+  # Filters and budgets assume that every operation rounds once: no fused multiply-add behind our back.
+  -ffp-contract=off)
+
+set(UNSLIVER_MODULES "")
+
+# unsliver_module(NAME [LINK targets...]): src/NAME/*.cpp as target unsliver_NAME.
+function(unsliver_module name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  if(sources)
+    add_library(unsliver_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(unsliver_${name} PRIVATE unsliver_options)
+    set_target_properties(unsliver_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    set(UNSLIVER_MODULES ${UNSLIVER_MODULES} unsliver_${name} PARENT_SCOPE)
+  else()
+    add_library(unsliver_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_compile_features(unsliver_${name} ${scope} cxx_std_20)
+  target_include_directories(unsliver_${name} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_link_libraries(unsliver_${name} ${scope} ${ARG_LINK})
+endfunction()
+
+# The exported target unsliver::unsliver: every module's objects in one archive.
+function(unsliver_library)
+  set(objects "")
+  foreach(module ${UNSLIVER_MODULES})
+    list(APPEND objects $<TARGET_OBJECTS:${module}>)
+  endforeach()
+  add_library(unsliver STATIC ${objects})
+  add_library(unsliver::unsliver ALIAS unsliver)
+  set_target_properties(unsliver PROPERTIES LINKER_LANGUAGE CXX)
+  target_compile_features(unsliver PUBLIC cxx_std_20)
+  target_include_directories(unsliver PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(unsliver PUBLIC ZLIB::ZLIB fmt::fmt Threads::Threads)
+  if(UNSLIVER_INSTALL)
+    include(UnsliverInstall)
+  endif()
+endfunction()

@@ -1,0 +1,65 @@
+/// \file
+/// Where to mesh: the domain Omega of Labelle's Figures 5 and 8, as a closed set in the caller's coordinates.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "unsliver/mesh.hpp"
+#include "unsliver/types.hpp"
+
+namespace unsliver {
+
+/// A bounded closed set. All queries are const and safe to call from several threads.
+///
+/// Soundness contract: `clearance` and `meets` may err on one side only, as stated, so that the union of
+/// the tetrahedra that `meets` keeps always covers the domain (a domain known by sampling alone promises
+/// this to the sampling's resolution and says so in `notes`).
+class Domain {
+ public:
+  virtual ~Domain() = default;
+
+  /// A finite box that holds the domain.
+  virtual Box3 bounds() const = 0;
+
+  /// Is p in the domain?
+  virtual bool contains(const Vec3& p) const = 0;
+
+  /// A signed radius c, as large in magnitude as is cheap to find: the open ball of radius |c| about p lies
+  /// wholly inside the domain when c < 0, wholly outside when c > 0. 0 = nothing is known.
+  virtual double clearance(const Vec3& p) const = 0;
+
+  /// False only if the interior of t is certainly disjoint from the domain.
+  virtual bool meets(const Tet& t) const = 0;
+
+  /// An approximation of the domain's volume, for estimates before the start (never for decisions).
+  virtual double volume() const = 0;
+
+  /// One line for the report, such as "ball, centre (0, 0, 0), radius 1".
+  virtual std::string describe() const = 0;
+
+  /// What a careful user must know: how inside was decided, to what resolution, defects found. May be empty.
+  virtual std::vector<std::string> notes() const { return {}; }
+};
+
+using DomainPtr = std::shared_ptr<const Domain>;
+
+/// A box with positive sides. \throws Error kBadInput on NaN, infinite or non-positive sides.
+DomainPtr make_box(const Box3& box);
+
+/// A ball. \throws Error kBadInput unless centre and radius are finite and radius > 0.
+DomainPtr make_ball(const Vec3& center, double radius);
+
+/// The set f(x, y, z) <= 0 inside `bounds`. `expression` is in x, y, z (see expression syntax in the docs).
+/// Interval evaluation makes `meets` and `clearance` sound without sampling.
+/// \throws Error kBadOption with the position of a syntax error; kBadInput if no inside point can be found.
+DomainPtr make_implicit(const std::string& expression, const Box3& bounds);
+
+/// The solid bounded by a triangle surface. A closed, consistently oriented, edge-manifold surface without
+/// self-intersections is decided by its boundary; any other by generalized winding number > 1/2 together with
+/// the surface itself (every tetrahedron that touches a triangle is kept), and `notes` says so and why.
+/// \throws Error kBadInput for NaN coordinates, no triangle of positive area, or zero extent.
+DomainPtr make_surface(TriangleMesh surface);
+
+}  // namespace unsliver

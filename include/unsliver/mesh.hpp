@@ -1,0 +1,52 @@
+/// \file
+/// Plain results and inputs: a tetrahedral mesh and a triangle mesh as flat arrays.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "unsliver/types.hpp"
+
+namespace unsliver {
+
+/// The integer world of a mesh: point = origin + unit * q with q an integer vector.
+/// unit = m * 2^e with 64 <= m < 128 and origin is a multiple of unit, so lattice points are exact doubles.
+struct Frame {
+  double unit = 1;
+  Vec3 origin;
+};
+
+/// A tetrahedral mesh. n points, m tetrahedra. Optional arrays are empty or have the stated length.
+struct TetMesh {
+  std::vector<Vec3> points;                        ///< n, the caller's coordinates and units
+  std::vector<std::array<VertexId, 4>> tets;       ///< m, positively oriented in meshes of ours
+  std::vector<std::int32_t> regions;               ///< m or empty: region label of each tetrahedron
+  std::vector<std::uint8_t> levels;                ///< n or empty: lattice level, 0 = an input vertex
+  std::vector<std::int64_t> point_source;          ///< n or empty: index in the caller's points, -1 = ours
+  std::vector<std::array<VertexId, 3>> triangles;  ///< boundary and interface triangles, may be empty
+  std::vector<std::int32_t> triangle_labels;       ///< one per triangle or empty
+  std::optional<Frame> frame;                      ///< set in meshes of ours
+
+  Tet corners(std::size_t t) const {
+    const auto& v = tets[t];
+    return {points[v[0]], points[v[1]], points[v[2]], points[v[3]]};
+  }
+};
+
+/// A triangle surface or soup. Indices are valid; nothing else is promised (it may be open, crossed, ...).
+struct TriangleMesh {
+  std::vector<Vec3> points;
+  std::vector<std::array<VertexId, 3>> triangles;
+  std::string name;  ///< where it came from, for messages
+};
+
+/// Field values at the points of a mesh: a background sizing mesh.
+struct NodalField {
+  TetMesh mesh;
+  std::vector<double> values;  ///< one per point
+};
+
+}  // namespace unsliver

@@ -1,0 +1,75 @@
+/// \file
+/// The generator: Labelle's Figure 5 on a domain with a sizing function.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "unsliver/domain.hpp"
+#include "unsliver/mesh.hpp"
+#include "unsliver/progress.hpp"
+#include "unsliver/sizing.hpp"
+
+namespace unsliver {
+
+enum class Strategy {
+  kLiteral,  ///< the figure to the letter: SC for size, first point found, first in first out
+  kThrifty,  ///< same guarantees, fewer vertices: both lattices, fitted unit, chosen candidates
+};
+
+struct MeshOptions {
+  Strategy strategy = Strategy::kThrifty;
+  /// What counts as bad. Stricter than 30 / 135 / sqrt(5)/2 is refused: no theorem backs it.
+  double min_dihedral_deg = 30;
+  double max_dihedral_deg = 135;
+  double max_radius_edge = 1.118033988749895;
+  std::uint64_t max_tets = 0;          ///< 0 = no cap. Tetrahedra held at any time, outside ones included
+  std::uint64_t max_memory_bytes = 0;  ///< 0 = no cap. Bytes held by the generator
+};
+
+enum class MeshStatus { kDone, kTetCap, kMemoryCap, kCancelled };
+const char* to_string(MeshStatus status);
+
+struct PhaseTime {
+  std::string name;
+  double seconds = 0;
+};
+
+/// What happened, for reports. Counts are of events, seconds of wall time.
+struct MeshStats {
+  std::vector<PhaseTime> phases;
+  std::uint64_t size_insertions = 0, quality_insertions = 0;
+  std::uint64_t lemma_6_insertions = 0;              ///< Case 2 of Figure 5 with a small circumradius
+  std::uint64_t total_vertices = 0, total_tets = 0;  ///< before extraction
+  std::uint64_t peak_bytes = 0;                      ///< held by the generator
+  std::uint64_t insphere_filter = 0, insphere_small = 0, insphere_wide = 0, insphere_tie = 0;
+  std::uint64_t orient_filter = 0, orient_small = 0, orient_wide = 0;
+  std::uint64_t domain_tests = 0;
+};
+
+struct MeshResult {
+  MeshStatus status =
+      MeshStatus::kDone;  ///< other than kDone: a valid Delaunay superset mesh, guarantees not reached
+  TetMesh mesh;
+  MeshStats stats;
+};
+
+struct SizeEstimate {
+  double vertices = 0, tets = 0;
+  double bytes = 0;
+  double ideal_vertices = 0;  ///< integral of 1 / (2.862 s^3) over the domain
+};
+
+/// From the integral of 1/s^3 over the domain, before anything is meshed; good to a factor of about 1.5.
+SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, const MeshOptions& options);
+
+/// A superset mesh of the domain: the Delaunay tetrahedra whose interiors meet it.
+///
+/// Ensures (status kDone): every tetrahedron has dihedral angles in [min, max] and radius-edge ratio at most
+/// its bound; every closed ball B(p, s(p)), p in the domain, holds a vertex; the union covers the domain.
+/// Deterministic. \throws Error kBadOption, kBadInput (from the sizing function), kLimit (coordinate range).
+MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOptions& options = {},
+                       const Control& control = {});
+
+}  // namespace unsliver

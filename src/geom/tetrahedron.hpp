@@ -1,0 +1,35 @@
+/// \file
+/// Measures of one tetrahedron in plain doubles: for scores, searches and reports, never for topology.
+#pragma once
+
+#include "unsliver/types.hpp"
+
+namespace unsliver::geom {
+
+struct Sphere {
+  Vec3 center;
+  double radius_sq = 0;
+};
+
+/// The circumsphere. Flat tetrahedra give infinities or NaN.
+inline Sphere circumsphere(const Tet& t) {
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = t[3] - t[0];
+  const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+  const double scale = 0.5 / dot(u, vw);
+  const Vec3 c = scale * (norm_sq(u) * vw + norm_sq(v) * wu + norm_sq(w) * uv);
+  return {t[0] + c, norm_sq(c)};
+}
+
+/// Signed volume, positive for positively oriented corners.
+inline double volume(const Tet& t) { return dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) / 6.0; }
+
+/// Squared length of the shortest edge.
+double shortest_edge_sq(const Tet& t);
+
+/// circumradius / shortest edge.
+double radius_edge_ratio(const Tet& t);
+
+/// The six dihedral angles in radians, ordered by edges 01, 02, 03, 12, 13, 23.
+std::array<double, 6> dihedral_angles(const Tet& t);
+
+}  // namespace unsliver::geom
