@@ -7,11 +7,26 @@ target_compile_options(unsliver_options INTERFACE
   # Filters and budgets assume that every operation rounds once: no fused multiply-add behind our back.
   -ffp-contract=off)
 
+if(UNSLIVER_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(UNSLIVER_BUILD_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    message(FATAL_ERROR "UNSLIVER_BUILD_FUZZ needs Clang: configure with -DCMAKE_CXX_COMPILER=clang++")
+  endif()
+  # Coverage feedback must reach into the library, not only into the fuzzers.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 set(UNSLIVER_MODULES "")
 
-# unsliver_module(NAME [LINK targets...]): src/NAME/*.cpp as target unsliver_NAME.
+# unsliver_module(NAME [USES modules...] [HEADERS names...] [LINK targets...])
+# src/NAME/*.cpp as target unsliver_NAME. USES: the modules whose headers it may include. HEADERS: its
+# public ones, include/unsliver/<name>.hpp. LINK: other people's libraries.
 function(unsliver_module name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "USES;HEADERS;LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   if(sources)
     add_library(unsliver_${name} STATIC ${sources})
@@ -23,10 +38,11 @@ function(unsliver_module name)
     add_library(unsliver_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
+  list(TRANSFORM ARG_USES PREPEND unsliver_)
   target_compile_features(unsliver_${name} ${scope} cxx_std_20)
   target_include_directories(unsliver_${name} ${scope}
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
-  target_link_libraries(unsliver_${name} ${scope} ${ARG_LINK})
+    ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(unsliver_${name} ${scope} ${ARG_USES} ${ARG_LINK})
 endfunction()
 
 # The exported target unsliver::unsliver: every module's objects in one archive.
@@ -41,8 +57,5 @@ function(unsliver_library)
   target_compile_features(unsliver PUBLIC cxx_std_20)
   target_include_directories(unsliver PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
-  target_link_libraries(unsliver PUBLIC ZLIB::ZLIB fmt::fmt Threads::Threads)
-  if(UNSLIVER_INSTALL)
-    include(UnsliverInstall)
-  endif()
+  target_link_libraries(unsliver PRIVATE ZLIB::ZLIB fmt::fmt Threads::Threads)
 endfunction()
