@@ -1,0 +1,146 @@
+/// \file
+/// The stages behind the filters.
+///
+/// Exact doubles. All intermediates are integers in units of a power of g. If they are below 2^53 units every
+/// operation was exact. For orient3d they are at most sqrt(2) n1 n2 n3 (see predicates.hpp), so it suffices
+/// that 2 l1 l2 l3 < 2^106 g^6, that is error_sq < 26 g^6; for insphere at most (prod n)(sum n), so 4 (prod
+/// l)(sum l) < 2^106 g^10, that is error_sq < 250 g^10. (A row that is 0 makes all terms 0, exactly; other
+/// rows have n >= g, so intermediates of lower degree are smaller.) 25 and 240 leave room for rounding.
+#include "exact/predicates.hpp"
+
+#include <array>
+#include <cassert>
+
+#include "exact/integer_rows.hpp"
+#include "exact/wide_int.hpp"
+
+namespace unsliver::exact {
+namespace {
+
+constexpr double kOrientExactLimit = 25, kInsphereExactLimit = 240;
+constexpr int kCoordinateBits = 49;  ///< of a difference
+
+/// Largest D/g, in bits, for 128-bit integers. Minors of degree 2 are then 64-bit in the in-sphere test.
+constexpr int kOrientMediumBits = 41, kInsphereMediumBits = 24;
+
+static_assert(bit_budget(6, 3, kOrientMediumBits) < 128);
+static_assert(bit_budget(6, 3, kCoordinateBits) < Int256::kBits);
+static_assert(bit_budget(2, 2, kInsphereMediumBits) < 64 && bit_budget(3, 2, kInsphereMediumBits) < 64);
+static_assert(bit_budget(72, 5, kInsphereMediumBits) < 128);
+static_assert(bit_budget(3, 2, kCoordinateBits) < 128);
+static_assert(bit_budget(72, 5, kCoordinateBits) < Int256::kBits);
+
+using Rows4 = IntegerRows<4>;
+
+/// The signs of the in-sphere determinant and of its cofactors.
+struct LiftedSigns {
+  int value;
+  std::array<int, 4> cofactors;
+};
+
+template <class Three, class Five>
+LiftedSigns signs(const Cofactors<Three>& m, const Five& value) {
+  return {sign_of(value), {sign_of(m.a), sign_of(m.b), sign_of(m.c), sign_of(m.d)}};
+}
+
+template <class Two, class Three, class Five>
+LiftedSigns integer_signs(const std::array<Row<std::int64_t>, 4>& r) {
+  const auto m = cofactors<Two, Three>(r[0], r[1], r[2], r[3]);
+  return signs(m, combine<Five>(m, lift<Two>(r[0]), lift<Two>(r[1]), lift<Two>(r[2]), lift<Two>(r[3])));
+}
+
+LiftedSigns exact_signs(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                        const detail::LiftedDeterminant& filter, StageCounts& counts) {
+  Rows4 rows({detail::row(a, e), detail::row(b, e), detail::row(c, e), detail::row(d, e)});
+  if (filter.error_sq < kInsphereExactLimit * power_of_g(rows.scale, 10)) {
+    ++counts.small;
+    return signs(filter.cofactors, filter.value);
+  }
+  rows.reduce();
+  if (rows.scale.bits <= kInsphereMediumBits) {
+    ++counts.small;
+    return integer_signs<std::int64_t, Int128, Int128>(rows.rows);
+  }
+  ++counts.wide;
+  return integer_signs<Int128, Int256, Int256>(rows.rows);
+}
+
+/// Branch-free: coordinates of lattice points are equal too often to be predicted.
+bool lex_greater(const Vec3& a, const Vec3& b) {
+  const int x = (a.x > b.x) - (a.x < b.x), y = (a.y > b.y) - (a.y < b.y), z = (a.z > b.z) - (a.z < b.z);
+  return 4 * x + 2 * y + z > 0;
+}
+
+/// The sign that the perturbation gives to a determinant that is 0. The largest point's epsilon dominates:
+/// its coefficient is its cofactor, for e minus the (positive) orientation of a, b, c, d. At most one
+/// cofactor is 0: two would put e on the line through two of the points, where only these two are on the
+/// sphere. So the two largest points decide.
+int perturbation_sign(const std::array<const Vec3*, 5>& points, const std::array<int, 4>& cofactors) {
+  std::array<int, 5> coefficient = {cofactors[0], cofactors[1], cofactors[2], cofactors[3], -1};
+  const Vec3* largest = points[0];
+  const Vec3* second = nullptr;
+  int largest_sign = coefficient[0], second_sign = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vec3* p = points[i];
+    if (lex_greater(*p, *largest)) {
+      second = largest, second_sign = largest_sign;
+      largest = p, largest_sign = coefficient[i];
+    } else if (!second || lex_greater(*p, *second)) {
+      second = p, second_sign = coefficient[i];
+    }
+  }
+  return largest_sign != 0 ? largest_sign : second_sign;
+}
+
+}  // namespace
+
+namespace detail {
+
+int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double value, double error_sq,
+                   StageCounts& counts) {
+  IntegerRows<3> rows({row(b, a), row(c, a), row(d, a)});
+  if (error_sq < kOrientExactLimit * power_of_g(rows.scale, 6)) {
+    ++counts.small;
+    return sign_of(value);
+  }
+  rows.reduce();
+  const auto& r = rows.rows;
+  if (rows.scale.bits <= kOrientMediumBits) {
+    ++counts.small;
+    return sign_of(determinant<Int128, Int128>(r[0], r[1], r[2]));
+  }
+  ++counts.wide;
+  return sign_of(determinant<Int128, Int256>(r[0], r[1], r[2]));
+}
+
+int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                   const LiftedDeterminant& filter, StageCounts& counts) {
+  return exact_signs(a, b, c, d, e, filter, counts).value;
+}
+
+int insphere_perturbed_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+                             const LiftedDeterminant& filter, StageCounts& counts) {
+  const LiftedSigns exact = exact_signs(a, b, c, d, e, filter, counts);
+  if (exact.value != 0) return exact.value;
+  ++counts.tie;
+  const int sign = perturbation_sign({&a, &b, &c, &d, &e}, exact.cofactors);
+  assert(sign != 0 && "e is one of a, b, c, d, or these are coplanar");
+  return sign;
+}
+
+}  // namespace detail
+
+int power_test(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
+               const double (&w)[5], StageCounts& counts) {
+  const Rows4 rows({detail::row(a, e), detail::row(b, e), detail::row(c, e), detail::row(d, e)});
+  const auto& r = rows.rows;
+  const auto height = [&](int i) {
+    return lift<Int128>(r[static_cast<std::size_t>(i)]) - static_cast<Int128>(w[i]) +
+           static_cast<Int128>(w[4]);
+  };
+  const auto m = cofactors<Int128, Int256>(r[0], r[1], r[2], r[3]);
+  ++counts.wide;
+  return sign_of(combine<Int256>(m, height(0), height(1), height(2), height(3)));
+}
+
+}  // namespace unsliver::exact
