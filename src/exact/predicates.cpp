@@ -30,6 +30,10 @@ static_assert(bit_budget(72, 5, kInsphereMediumBits) < 128);
 static_assert(bit_budget(3, 2, kCoordinateBits) < 128);
 static_assert(bit_budget(72, 5, kCoordinateBits) < Int256::kBits);
 
+/// Largest D/g, in bits, for 64-bit lexicographic keys: three digits in base 2^(bits + 1) and one in base 4.
+constexpr int kNarrowKeyBits = 19;
+static_assert(3 * (kNarrowKeyBits + 1) + 2 < 64 && 3 * (kCoordinateBits + 1) + 2 < Int256::kBits);
+
 using Rows4 = IntegerRows<4>;
 
 /// The signs of the in-sphere determinant and of its cofactors.
@@ -49,14 +53,17 @@ LiftedSigns integer_signs(const std::array<Row<std::int64_t>, 4>& r) {
   return signs(m, combine<Five>(m, lift<Two>(r[0]), lift<Two>(r[1]), lift<Two>(r[2]), lift<Two>(r[3])));
 }
 
-LiftedSigns exact_signs(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
-                        const detail::LiftedDeterminant& filter, StageCounts& counts) {
-  Rows4 rows({detail::row(a, e), detail::row(b, e), detail::row(c, e), detail::row(d, e)});
+Rows4 rows_from(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  return Rows4({detail::row(a, e), detail::row(b, e), detail::row(c, e), detail::row(d, e)});
+}
+
+/// Divides the rows by g.
+LiftedSigns exact_signs(Rows4& rows, const detail::LiftedDeterminant& filter, StageCounts& counts) {
+  rows.reduce();
   if (filter.error_sq < kInsphereExactLimit * power_of_g(rows.scale, 10)) {
     ++counts.small;
     return signs(filter.cofactors, filter.value);
   }
-  rows.reduce();
   if (rows.scale.bits <= kInsphereMediumBits) {
     ++counts.small;
     return integer_signs<std::int64_t, Int128, Int128>(rows.rows);
@@ -65,31 +72,36 @@ LiftedSigns exact_signs(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
   return integer_signs<Int128, Int256, Int256>(rows.rows);
 }
 
-/// Branch-free: coordinates of lattice points are equal too often to be predicted.
-bool lex_greater(const Vec3& a, const Vec3& b) {
-  const int x = (a.x > b.x) - (a.x < b.x), y = (a.y > b.y) - (a.y < b.y), z = (a.z > b.z) - (a.z < b.z);
-  return 4 * x + 2 * y + z > 0;
+/// Orders rows of at most kBits bits as lex_less does their points, and carries a sign in its last digit.
+template <class Key, int kBits>
+Key lexicographic_key(const Row<std::int64_t>& r, int sign) {
+  const Key base(std::int64_t{1} << (kBits + 1));
+  return ((Key(r.x) * base + Key(r.y)) * base + Key(r.z)) * Key(4) + Key(sign + 1);
 }
 
-/// The sign that the perturbation gives to a determinant that is 0. The largest point's epsilon dominates:
+/// The sign that the perturbation gives to a determinant that is 0: the largest point's epsilon dominates,
 /// its coefficient is its cofactor, for e minus the (positive) orientation of a, b, c, d. At most one
 /// cofactor is 0: two would put e on the line through two of the points, where only these two are on the
-/// sphere. So the two largest points decide.
-int perturbation_sign(const std::array<const Vec3*, 5>& points, const std::array<int, 4>& cofactors) {
-  std::array<int, 5> coefficient = {cofactors[0], cofactors[1], cofactors[2], cofactors[3], -1};
-  const Vec3* largest = points[0];
-  const Vec3* second = nullptr;
-  int largest_sign = coefficient[0], second_sign = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Vec3* p = points[i];
-    if (lex_greater(*p, *largest)) {
-      second = largest, second_sign = largest_sign;
-      largest = p, largest_sign = coefficient[i];
-    } else if (!second || lex_greater(*p, *second)) {
-      second = p, second_sign = coefficient[i];
-    }
+/// sphere. So the two largest points decide. The rows are relative to e: its key is that of 0.
+template <class Key, int kBits>
+int perturbation_sign(const std::array<Row<std::int64_t>, 4>& rows, const std::array<int, 4>& cofactors) {
+  const Key e = lexicographic_key<Key, kBits>({0, 0, 0}, -1);
+  Key largest = e;
+  int sign = -1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Key key = lexicographic_key<Key, kBits>(rows[i], cofactors[i]);
+    const bool greater = sign_of(key - largest) > 0;
+    largest = greater ? key : largest;
+    sign = greater ? cofactors[i] : sign;
   }
-  return largest_sign != 0 ? largest_sign : second_sign;
+  if (sign != 0) return sign;
+  Key second = e;
+  sign = -1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Key key = lexicographic_key<Key, kBits>(rows[i], cofactors[i]);
+    if (sign_of(key - second) > 0 && sign_of(largest - key) > 0) second = key, sign = cofactors[i];
+  }
+  return sign;
 }
 
 }  // namespace
@@ -115,15 +127,19 @@ int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, d
 
 int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                    const LiftedDeterminant& filter, StageCounts& counts) {
-  return exact_signs(a, b, c, d, e, filter, counts).value;
+  Rows4 rows = rows_from(a, b, c, d, e);
+  return exact_signs(rows, filter, counts).value;
 }
 
 int insphere_perturbed_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                              const LiftedDeterminant& filter, StageCounts& counts) {
-  const LiftedSigns exact = exact_signs(a, b, c, d, e, filter, counts);
+  Rows4 rows = rows_from(a, b, c, d, e);
+  const LiftedSigns exact = exact_signs(rows, filter, counts);
   if (exact.value != 0) return exact.value;
   ++counts.tie;
-  const int sign = perturbation_sign({&a, &b, &c, &d, &e}, exact.cofactors);
+  const int sign = rows.scale.bits <= kNarrowKeyBits
+                       ? perturbation_sign<std::int64_t, kNarrowKeyBits>(rows.rows, exact.cofactors)
+                       : perturbation_sign<Int256, kCoordinateBits>(rows.rows, exact.cofactors);
   assert(sign != 0 && "e is one of a, b, c, d, or these are coplanar");
   return sign;
 }
