@@ -1,0 +1,95 @@
+/// \file
+/// A growable array of plain data whose growth moves pages, not bytes.
+///
+/// std::vector copies into a second block when it grows, so a large mesh would need 2.5 times its size at the
+/// peak. realloc remaps large blocks in place, and pages that were never written cost nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace unsliver {
+
+template <class T>
+class PodVector {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+ public:
+  PodVector() = default;
+  PodVector(PodVector&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)),
+        size_(std::exchange(other.size_, 0)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
+  PodVector& operator=(PodVector&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+  }
+  PodVector(const PodVector&) = delete;
+  PodVector& operator=(const PodVector&) = delete;
+  ~PodVector() { std::free(data_); }
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  /// Bytes of the elements held. Reserved but untouched pages are not counted: the system does not back them.
+  std::size_t bytes() const { return size_ * sizeof(T); }
+
+  T& operator[](std::size_t i) { return data_[i]; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+  T& back() { return data_[size_ - 1]; }
+  const T& back() const { return data_[size_ - 1]; }
+  T* begin() { return data_; }
+  T* end() { return data_ + size_; }
+  const T* begin() const { return data_; }
+  const T* end() const { return data_ + size_; }
+  std::span<const T> span() const { return {data_, size_}; }
+
+  void push_back(const T& value) {
+    if (size_ == capacity_) {
+      const T copy = value;  // `value` may live in the block that is about to move
+      grow_to(size_ + 1);
+      data_[size_++] = copy;
+    } else {
+      data_[size_++] = value;
+    }
+  }
+  void pop_back() { --size_; }
+  void clear() { size_ = 0; }
+
+  /// New elements are left uninitialised.
+  void resize_uninitialized(std::size_t n) {
+    if (n > capacity_) grow_to(n);
+    size_ = n;
+  }
+  void resize(std::size_t n, const T& value) {
+    const std::size_t old = size_;
+    resize_uninitialized(n);
+    for (std::size_t i = old; i < n; ++i) data_[i] = value;
+  }
+  void reserve(std::size_t n) {
+    if (n > capacity_) reallocate(n);
+  }
+
+ private:
+  void grow_to(std::size_t n) {
+    const std::size_t wanted = capacity_ + capacity_ / 2 + 16;
+    reallocate(n > wanted ? n : wanted);
+  }
+  void reallocate(std::size_t n) {
+    void* moved = std::realloc(static_cast<void*>(data_), n * sizeof(T));
+    if (moved == nullptr) throw std::bad_alloc();
+    data_ = static_cast<T*>(moved);
+    capacity_ = n;
+  }
+
+  T* data_ = nullptr;
+  std::size_t size_ = 0, capacity_ = 0;
+};
+
+}  // namespace unsliver
