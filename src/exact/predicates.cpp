@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "exact/integer_rows.hpp"
 #include "exact/wide_int.hpp"
@@ -29,6 +30,10 @@ static_assert(bit_budget(2, 2, kInsphereMediumBits) < 64 && bit_budget(3, 2, kIn
 static_assert(bit_budget(72, 5, kInsphereMediumBits) < 128);
 static_assert(bit_budget(3, 2, kCoordinateBits) < 128);
 static_assert(bit_budget(72, 5, kCoordinateBits) < Int256::kBits);
+
+/// A weighted height is below 3 D^2 + 2^97 < 4 * 2^98: the power test's determinant is below 4 * 4 * 6 D^5.
+static_assert(2 * kCoordinateBits == 98 && bit_budget(4, 2, kCoordinateBits) < 128);
+static_assert(bit_budget(96, 5, kCoordinateBits) < Int256::kBits);
 
 /// Largest D/g, in bits, for 64-bit lexicographic keys: three digits in base 2^(bits + 1) and one in base 4.
 constexpr int kNarrowKeyBits = 19;
@@ -104,6 +109,29 @@ int perturbation_sign(const std::array<Row<std::int64_t>, 4>& rows, const std::a
   return sign;
 }
 
+/// The power test's determinant in doubles. Heights h = l + (w(e) - w) pass 4 roundings of terms whose
+/// absolute values add up to s = l + |w(e) - w|, so as for insphere, now with s in place of one l each,
+///   |error| <= gamma_12 sqrt(2) sum_i s_i prod_{j != i} n_j,
+///   error^2 <= 1152 u^2 sum_i s_i^2 prod_{j != i} l_j.
+struct WeightedDeterminant {
+  double value, error_sq;
+
+  WeightedDeterminant(const std::array<Row<double>, 4>& r, const double (&w)[5]) {
+    double l[4], h[4], s[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double difference = w[4] - w[i];
+      l[i] = lift<double>(r[i]);
+      h[i] = l[i] + difference;
+      s[i] = l[i] + std::abs(difference);
+    }
+    value = combine<double>(cofactors<double, double>(r[0], r[1], r[2], r[3]), h[0], h[1], h[2], h[3]);
+    const double ab = l[0] * l[1], cd = l[2] * l[3];
+    error_sq =
+        1200 * detail::kUnitRoundoffSq *
+        (cd * (s[0] * s[0] * l[1] + s[1] * s[1] * l[0]) + ab * (s[2] * s[2] * l[3] + s[3] * s[3] * l[2]));
+  }
+};
+
 }  // namespace
 
 namespace detail {
@@ -148,8 +176,15 @@ int insphere_perturbed_exact(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 int power_test(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                const double (&w)[5], StageCounts& counts) {
-  const Rows4 rows({detail::row(a, e), detail::row(b, e), detail::row(c, e), detail::row(d, e)});
-  const auto& r = rows.rows;
+  const std::array<Row<double>, 4> rows = {detail::row(a, e), detail::row(b, e), detail::row(c, e),
+                                           detail::row(d, e)};
+  const WeightedDeterminant filter(rows, w);
+  if (filter.value * filter.value > filter.error_sq) {
+    ++counts.filter;
+    return sign_of(filter.value);
+  }
+  const Rows4 integers(rows);
+  const auto& r = integers.rows;
   const auto height = [&](int i) {
     return lift<Int128>(r[static_cast<std::size_t>(i)]) - static_cast<Int128>(w[i]) +
            static_cast<Int128>(w[4]);

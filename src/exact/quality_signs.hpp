@@ -31,14 +31,16 @@ struct QualityBounds {
 };
 
 /// The rational of at most 20 bits nearest to cos^2(degrees) that does not demand more than asked: `is_min`
-/// rounds the angle down, else up. 0 < degrees < 180. Exact for 30, 45, 60, 90, 120, 135, 150.
+/// rounds the angle down, else up. Requires: 0 < degrees < 180. Exact for 30, 45, 60, 90, 120, 135, 150: a
+/// rational within 2^-48 of what was asked, relatively, counts as equal to it.
 CosBound cos_bound(double degrees, bool is_min);
 
-/// The rational of at most 20 bits for ratio^2, rounded up (never demands more). Exact for sqrt(5)/2.
+/// The rational of at most 20 bits for ratio^2, rounded up (never demands more). Exact for sqrt(5)/2, by the
+/// same rule. Requires: 0 < ratio < 1000.
 RatioBound ratio_bound(double ratio);
 
-/// Sign of (dihedral angle at the edge opposite to edge of faces i, j) - bound: the angle between the faces
-/// opposite to corners i and j. t is positively oriented with integer coordinates, differences below 2^49.
+/// Sign of (dihedral angle between the faces opposite to corners i and j) - bound, i != j. t is positively
+/// oriented with integer coordinates, differences below 2^49.
 int compare_dihedral(const Tet& t, int i, int j, const CosBound& bound, StageCounts& counts);
 
 /// Sign of (circumradius / shortest edge)^2 - bound.
