@@ -1,0 +1,35 @@
+/// \file
+/// The lattice points w that may be inserted for a bad tetrahedron t.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "refine/refinement.hpp"
+
+namespace unsliver::refine {
+
+/// A chosen point with its label and the certificate of inequality (1).
+struct Candidate {
+  Vec3 w;
+  Level label;
+  double lfs_bound;
+};
+
+/// min over t's corners v of lfs_bound(v) + |vw|: Lemma 1.
+double inherited_lfs_bound(const Refinement& refinement, TetId t, const Vec3& w);
+
+/// Literal: a point of `level` in the closed ball of radius r(level) tangent at v inside t's circumsphere,
+/// the first in lexicographic order that is in conflict with t ("by Lemma 3 there exists a point w in B
+/// \ {v}"). Requires t's circumradius > r(level).
+std::optional<Vec3> first_in_tangent_ball(Refinement& refinement, TetId t, VertexId v, Level level);
+
+/// Literal: a point of `level` inside t's circumsphere, the first in lexicographic order (Lemma 6).
+std::optional<Vec3> first_in_circumsphere(Refinement& refinement, TetId t, Level level);
+
+/// Thrifty: among the levels from the coarsest that can have points inside t's circumsphere down to `finest`,
+/// the first level with an admissible point: in conflict with t and certified within its label's budget. Of
+/// that level's points the one nearest to the circumcentre.
+std::optional<Candidate> coarsest_in_circumsphere(Refinement& refinement, TetId t, Level finest);
+
+}  // namespace unsliver::refine

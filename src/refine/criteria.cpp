@@ -1,0 +1,47 @@
+#include "refine/criteria.hpp"
+
+#include <fmt/format.h>
+
+#include "unsliver/error.hpp"
+
+namespace unsliver::refine {
+
+namespace {
+
+constexpr double kBestRatio = 1.118033988749895;  // sqrt(5)/2
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw Error(ErrorCode::kBadOption, message);
+}
+
+}  // namespace
+
+exact::QualityBounds quality_bounds(const MeshOptions& options) {
+  // Negated comparisons: NaN fails them too.
+  require(options.min_dihedral_deg >= 0 && options.min_dihedral_deg <= 30,
+          fmt::format(
+              "minimum dihedral angle {}: must be between 0 and 30 degrees; no theorem backs more than 30 "
+              "(Labelle 2006, section 4)",
+              options.min_dihedral_deg));
+  require(
+      options.max_dihedral_deg >= 135 && options.max_dihedral_deg <= 180,
+      fmt::format(
+          "maximum dihedral angle {}: must be between 135 and 180 degrees; no theorem backs less than 135 "
+          "(Labelle 2006, section 4)",
+          options.max_dihedral_deg));
+  require(
+      options.max_radius_edge >= kBestRatio * (1 - 1e-12),
+      fmt::format("maximum radius-edge ratio {}: must be at least sqrt(5)/2 = {:.6f}; no theorem backs less "
+                  "(Labelle 2006, section 4)",
+                  options.max_radius_edge, kBestRatio));
+  exact::QualityBounds bounds;
+  // cos = 1 and cos = -1 demand nothing.
+  bounds.min_dihedral = options.min_dihedral_deg > 0 ? exact::cos_bound(options.min_dihedral_deg, true)
+                                                     : exact::CosBound{1, 1, 1};
+  bounds.max_dihedral = options.max_dihedral_deg < 180 ? exact::cos_bound(options.max_dihedral_deg, false)
+                                                       : exact::CosBound{-1, 1, 1};
+  bounds.max_radius_edge = exact::ratio_bound(options.max_radius_edge);
+  return bounds;
+}
+
+}  // namespace unsliver::refine

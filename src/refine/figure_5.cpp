@@ -1,0 +1,107 @@
+// Labelle's Figure 5. Notation: t a bad tetrahedron, v its corner with the finest label, `level` the next
+// coarser lattice than v's label, r(level) its covering radius, w the vertex to insert. With levels as one
+// chain (lattice/level.hpp) Case 1 (label SC_k, w in BCC_{k+1}) and Case 2 (label BCC_k, w in SC_k) read the
+// same, but for Lemma 6.
+#include "refine/figure_5.hpp"
+
+#include <deque>
+
+#include "refine/candidates.hpp"
+#include "refine/size_enforcement.hpp"
+#include "unsliver/error.hpp"
+
+namespace unsliver::refine {
+
+namespace {
+
+/// Lemma 3 or 6 promised a point. If the promise fails there is a bug in the arithmetic, not in the input.
+[[noreturn]] void broken_promise(const char* lemma) {
+  throw Error(ErrorCode::kInternal,
+              std::string("no lattice point found where ") + lemma +
+                  " of Labelle 2006 promises one: this is a bug in unsliver, please report it");
+}
+
+bool circumradius_exceeds(const Refinement& r, TetId t, Level level) {
+  const double radius = lattice::covering_radius(level);
+  return geom::circumsphere(r.mesh().corners(t)).radius_sq > radius * radius * (1 + 1e-12);
+}
+
+/// Quality enforcement of Figure 5, Cases 1 and 2.
+Vec3 figure_5_case(Refinement& r, TetId t, VertexId v, Level level) {
+  if (circumradius_exceeds(r, t, level)) {
+    if (auto w = first_in_tangent_ball(r, t, v, level)) return *w;
+    broken_promise("Lemma 3");
+  }
+  if (lattice::is_bcc(level)) broken_promise("Lemma 5");  // Case 1 with a small circumradius cannot be bad
+  ++r.stats().lemma_6_insertions;
+  if (auto w = first_in_circumsphere(r, t, level)) return *w;
+  broken_promise("Lemma 6");
+}
+
+void enforce_quality_literally(Refinement& r, TetId t) {
+  const VertexId v = r.finest_corner(t);
+  const Level level = r.label(v) + 1;
+  const Vec3 w = figure_5_case(r, t, v, level);
+  r.insert(w, level, inherited_lfs_bound(r, t, w), t);
+  ++r.stats().quality_insertions;
+}
+
+void enforce_quality_thriftily(Refinement& r, TetId t) {
+  if (auto c = coarsest_in_circumsphere(r, t, r.label(r.finest_corner(t)) + 1)) {
+    r.insert(c->w, c->label, c->lfs_bound, t);
+    ++r.stats().quality_insertions;
+  } else {
+    enforce_quality_literally(r, t);
+  }
+}
+
+/// A tetrahedron in the queue is the one that its newest corner made in its slot: a slot is filled at most
+/// once an insertion.
+struct Queued {
+  TetId slot;
+  std::array<VertexId, 4> corners;
+};
+
+Queued queued(const Refinement& r, TetId t) { return {t, std::to_array(r.mesh().tet(t).v)}; }
+
+bool still_there(const Refinement& r, const Queued& entry) {
+  return r.mesh().is_finite(entry.slot) && std::to_array(r.mesh().tet(entry.slot).v) == entry.corners;
+}
+
+}  // namespace
+
+void figure_5_literal(Refinement& r) {
+  r.enter_phase("refine");
+  SizeEnforcement sizes(r);
+  std::deque<Queued> queue;
+  for (TetId t = 0; t < r.mesh().slot_count(); ++t) queue.push_back(queued(r, t));
+  for (; !queue.empty(); queue.pop_front()) {
+    const TetId t = queue.front().slot;
+    if (!still_there(r, queue.front()) || !r.meets_domain(t)) continue;
+    if (const auto ball = sizes.find_empty_ball(t, 0))
+      insert_for_size(r, *ball, t, Strategy::kLiteral);
+    else if (r.is_bad(t))
+      enforce_quality_literally(r, t);
+    else
+      continue;
+    for (TetId made : r.created()) queue.push_back(queued(r, made));
+  }
+}
+
+void figure_5_thrifty(Refinement& r) {
+  r.enter_phase("size");
+  enforce_size(r);
+  r.enter_phase("quality");
+  std::vector<TetId> pending;
+  const std::size_t slots = r.mesh().slot_count();
+  for (TetId first = 0; first < slots; ++first)
+    for (pending.assign(1, first); !pending.empty();) {
+      const TetId t = pending.back();
+      pending.pop_back();
+      if (!r.mesh().is_finite(t) || !r.is_bad(t) || !r.meets_domain(t)) continue;
+      enforce_quality_thriftily(r, t);
+      pending.insert(pending.end(), r.created().begin(), r.created().end());
+    }
+}
+
+}  // namespace unsliver::refine

@@ -1,0 +1,193 @@
+#include "refine/refinement.hpp"
+
+#include <limits>
+
+#include "refine/criteria.hpp"
+#include "refine/guarantees.hpp"
+#include "unsliver/error.hpp"
+
+namespace unsliver::refine {
+
+namespace {
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUndefined = -1;
+
+// The cube's corners are (+-2^46)^3 while the domain stays within 2^44 of the origin: a ball that meets the
+// domain and holds no corner reaches no farther than 1.5 * 2^47, so every candidate stays inside the kernel's
+// range of 2^48.
+constexpr double kCubeCorner = 0x1p46;
+constexpr std::uint64_t kCheckInterval = 64;
+
+float rounded_down(double x) {
+  const float f = static_cast<float>(x);
+  return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
+float rounded_up(double x) { return -rounded_down(-x); }
+float rounded_towards_zero(double x) { return x < 0 ? -rounded_down(-x) : rounded_down(x); }
+
+double fit_radius(const Domain& domain, const Sizing& sizing, Strategy strategy) {
+  if (strategy == Strategy::kLiteral) return 0;
+  const double s = sizing.lower_bound(domain.bounds());
+  return std::isfinite(s) ? (1 - kSizeSlack) * s : 0;
+}
+
+}  // namespace
+
+Refinement::Refinement(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
+                       const Control& control)
+    : domain_(domain),
+      sizing_(sizing),
+      options_(options),
+      control_(control),
+      world_(lattice::World::fit(domain.bounds(), fit_radius(domain, sizing, options.strategy))),
+      caller_bounds_(domain.bounds()),
+      lipschitz_(sizing.lipschitz()),
+      bounds_(quality_bounds(options)) {
+  size_cap_ = caller_bounds_.diagonal() / world_.unit();
+  size_floor_ = std::min(size_cap_, sizing.lower_bound(caller_bounds_) / world_.unit());
+  if (lipschitz_ == 0) constant_size_ = size_floor_;
+  last_report_ = phase_start_ = std::chrono::steady_clock::now();
+  add_vertex_arrays(0, 0);  // the vertex at infinity
+  start_from_cube();
+}
+
+void Refinement::start_from_cube() {
+  const double lfs_bound = kCubeCorner * std::sqrt(3.0) + 2 * size_cap_;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner{i & 1 ? kCubeCorner : -kCubeCorner, i & 2 ? kCubeCorner : -kCubeCorner,
+                      i & 4 ? kCubeCorner : -kCubeCorner};
+    mesh_.insert(corner);
+    add_vertex_arrays(lattice::canonical_level(corner), lfs_bound);
+  }
+}
+
+void Refinement::add_vertex_arrays(Level label, double lfs_bound) {
+  labels_.push_back(static_cast<std::uint8_t>(label));
+  lfs_bounds_.push_back(rounded_up(lfs_bound));
+  clearances_.push_back(kUnknown);
+  sizes_.push_back(kUnknown);
+}
+
+VertexId Refinement::finest_corner(TetId t) const {
+  const auto& v = mesh_.tet(t).v;
+  VertexId finest = v[0];
+  for (int i = 1; i < 4; ++i)
+    if (labels_[v[i]] < labels_[finest]) finest = v[i];
+  return finest;
+}
+
+bool Refinement::meets_domain(const Tet& world_tet) const {
+  Tet t;
+  for (int i = 0; i < 4; ++i) t[i] = world_.to_caller(world_tet[i]);
+  return domain_.meets(t);
+}
+
+/// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside.
+bool Refinement::meets_domain(TetId t) {
+  const Tet corners = mesh_.corners(t);
+  for (int i = 0; i < 4; ++i) {
+    float& clearance = clearances_[mesh_.tet(t).v[i]];
+    if (std::isnan(clearance))
+      clearance =
+          rounded_towards_zero(domain_.clearance(world_.to_caller(corners[i])) / world_.unit() * (1 - 1e-12));
+    const double radius_sq = double(clearance) * clearance;
+    double farthest_sq = 0;
+    for (int j = 0; j < 4; ++j) farthest_sq = std::max(farthest_sq, dist_sq(corners[i], corners[j]));
+    if (farthest_sq < radius_sq) return clearance < 0;
+  }
+  ++stats_.domain_tests;
+  return meets_domain(corners);
+}
+
+double Refinement::size_at(const Vec3& p) const {
+  return std::min(size_cap_, sizing_.at(world_.to_caller(p)) / world_.unit());
+}
+
+double Refinement::size_lower_bound(const Box3& box) const {
+  if (constant_size_ > 0) return constant_size_;
+  Box3 in_caller{world_.to_caller(box.lo), world_.to_caller(box.hi)};
+  for (int axis = 0; axis < 3; ++axis) {
+    in_caller.lo[axis] = std::max(in_caller.lo[axis], caller_bounds_.lo[axis]);
+    in_caller.hi[axis] = std::min(in_caller.hi[axis], caller_bounds_.hi[axis]);
+  }
+  if (in_caller.empty()) return std::numeric_limits<double>::infinity();
+  return std::min(size_cap_, sizing_.lower_bound(in_caller) / world_.unit());
+}
+
+std::optional<double> Refinement::size_at_vertex(VertexId v) {
+  if (constant_size_ > 0) return constant_size_;
+  float& size = sizes_[v];
+  if (std::isnan(size)) {
+    size = kUndefined;
+    if (caller_bounds_.contains(world_.to_caller(mesh_.point(v)))) {
+      try {
+        size = rounded_down(size_at(mesh_.point(v)));
+      } catch (const Error&) {
+        // Outside the domain a size may be anything: it is not asked for there.
+      }
+    }
+  }
+  if (size < 0) return std::nullopt;
+  return size;
+}
+
+VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
+  mesh_.carve(p, mesh_.in_conflict(t, p) ? t : mesh_.locate(p, t));
+  VertexId nearest = kNoVertex;
+  for (TetId member : mesh_.cavity())
+    for (VertexId v : mesh_.tet(member).v)
+      if (v != delaunay::kInfinite &&
+          (nearest == kNoVertex || dist_sq(p, mesh_.point(v)) < dist_sq(p, mesh_.point(nearest))))
+        nearest = v;
+  mesh_.abandon();
+  return nearest;
+}
+
+void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near) {
+  if (insertions_++ % kCheckInterval == 0) check_caps();
+  if (!mesh_.in_conflict(near, w)) near = mesh_.locate(w, near);
+  mesh_.insert_in_conflict(w, near);
+  add_vertex_arrays(label, lfs_bound);
+}
+
+std::uint64_t Refinement::bytes() const {
+  return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes() + sizes_.bytes();
+}
+
+void Refinement::check_caps() {
+  stats_.peak_bytes = std::max(stats_.peak_bytes, bytes());
+  if (options_.max_tets != 0 && mesh_.tet_count() > options_.max_tets) throw Stopped{MeshStatus::kTetCap};
+  if (options_.max_memory_bytes != 0 && stats_.peak_bytes > options_.max_memory_bytes)
+    throw Stopped{MeshStatus::kMemoryCap};
+  if (control_.cancelled && control_.cancelled()) throw Stopped{MeshStatus::kCancelled};
+  report_progress();
+}
+
+void Refinement::report_progress() {
+  if (!control_.on_progress) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_report_ < std::chrono::milliseconds(100)) return;
+  last_report_ = now;
+  Progress progress;
+  progress.phase = phase_ != nullptr ? phase_ : "start";
+  progress.vertices = mesh_.vertex_count();
+  progress.tets = mesh_.tet_count();
+  progress.done = mesh_.tet_count();
+  control_.on_progress(progress);
+}
+
+void Refinement::enter_phase(const char* name) {
+  finish_phases();
+  phase_ = name;
+  phase_start_ = std::chrono::steady_clock::now();
+}
+
+void Refinement::finish_phases() {
+  if (phase_ == nullptr) return;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - phase_start_;
+  stats_.phases.push_back({phase_, elapsed.count()});
+  phase_ = nullptr;
+}
+
+}  // namespace unsliver::refine

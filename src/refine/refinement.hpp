@@ -1,0 +1,111 @@
+/// \file
+/// The state that Figures 5 and 8 work on: the tetrahedralization, the labels, the domain and the size seen
+/// from the integer world.
+///
+/// All points, sizes and radii in here are in world units (lattice/world.hpp).
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "base/pod_vector.hpp"
+#include "delaunay/triangulation.hpp"
+#include "exact/quality_signs.hpp"
+#include "geom/tetrahedron.hpp"
+#include "lattice/level.hpp"
+#include "lattice/world.hpp"
+#include "unsliver/refine.hpp"
+
+namespace unsliver::refine {
+
+using delaunay::TetId;
+using lattice::Level;
+
+/// The run was ended early by a cap or by the caller; the mesh is valid as it is.
+struct Stopped {
+  MeshStatus status;
+};
+
+class Refinement {
+ public:
+  /// Starts from the corners of a huge lattice cube around the domain, which stand in for the paper's empty
+  /// half-spaces.
+  Refinement(const Domain& domain, const Sizing& sizing, const MeshOptions& options, const Control& control);
+
+  const delaunay::Triangulation& mesh() const { return mesh_; }
+  delaunay::Triangulation& mesh() { return mesh_; }
+  const lattice::World& world() const { return world_; }
+  const Domain& domain() const { return domain_; }
+  const exact::QualityBounds& bounds() const { return bounds_; }
+  MeshStats& stats() { return stats_; }
+
+  Level label(VertexId v) const { return labels_[v]; }
+  /// A certified upper bound of lfs(v): inequality (1) holds with it.
+  double lfs_bound(VertexId v) const { return lfs_bounds_[v]; }
+  /// The finest label among t's corners, and its vertex.
+  VertexId finest_corner(TetId t) const;
+
+  /// Could the interior of t meet the domain? No is certain.
+  bool meets_domain(TetId t);
+  bool meets_domain(const Tet& world_tet) const;
+  bool contains(const Vec3& p) const { return domain_.contains(world_.to_caller(p)); }
+  /// Dihedral angle or radius-edge ratio out of bounds, decided exactly.
+  bool is_bad(TetId t) { return exact::is_bad(mesh_.corners(t), bounds_, quality_counts_); }
+
+  /// s at p, capped (an infinite size means: as coarse as the domain).
+  double size_at(const Vec3& p) const;
+  /// A lower bound of s over the part of the box inside the domain's bounds; infinity if there is none.
+  double size_lower_bound(const Box3& box) const;
+  /// s at a vertex, or nothing where s need not be defined (outside the domain's bounds) or fails.
+  std::optional<double> size_at_vertex(VertexId v);
+  /// |s(p) - s(q)| <= lipschitz() |p - q| inside the domain's bounds; may be infinite.
+  double lipschitz() const { return lipschitz_; }
+  /// The smallest size there is, if it is known before the start (then sizes are constant), else 0.
+  double constant_size() const { return constant_size_; }
+  double largest_size() const { return size_cap_; }
+  double smallest_size() const { return size_floor_; }
+
+  /// The vertex nearest to the integer point p of the closed tetrahedron t, which is not a vertex itself.
+  VertexId nearest_vertex(const Vec3& p, TetId t);
+
+  /// Inserts lattice point w. `near` is a tetrahedron in conflict with w or not far from it.
+  /// \throws Stopped when a cap is met or the run is cancelled (before the insertion).
+  void insert(const Vec3& w, Level label, double lfs_bound, TetId near);
+  std::span<const TetId> created() const { return mesh_.created(); }
+
+  /// Names the phase for progress reports and closes the timing of the one before.
+  void enter_phase(const char* name);
+  void finish_phases();
+
+ private:
+  void start_from_cube();
+  void add_vertex_arrays(Level label, double lfs_bound);
+  void check_caps();
+  void report_progress();
+  std::uint64_t bytes() const;
+
+  const Domain& domain_;
+  const Sizing& sizing_;
+  const MeshOptions& options_;
+  const Control& control_;
+  lattice::World world_;
+  Box3 caller_bounds_;
+  double lipschitz_, constant_size_ = 0, size_cap_, size_floor_;
+  exact::QualityBounds bounds_;
+
+  delaunay::Triangulation mesh_;
+  PodVector<std::uint8_t> labels_;
+  PodVector<float> lfs_bounds_;
+  PodVector<float> clearances_;  ///< signed, see Domain::clearance; NaN = not asked yet
+  PodVector<float> sizes_;       ///< s at the vertex; NaN = not asked yet, negative = not defined there
+
+  exact::StageCounts quality_counts_;
+  MeshStats stats_;
+  const char* phase_ = nullptr;
+  std::chrono::steady_clock::time_point phase_start_, last_report_;
+  std::uint64_t insertions_ = 0;
+};
+
+}  // namespace unsliver::refine
