@@ -20,15 +20,18 @@ struct WorstTet {
 struct QualitySummary {
   std::size_t tets = 0;
   double min_dihedral_deg = 180, max_dihedral_deg = 0, max_radius_edge = 0;
-  double volume = 0;                          ///< sum of absolute volumes
-  std::size_t inverted = 0, flat = 0;         ///< by the sign of the volume in doubles
-  std::array<std::uint64_t, 36> histogram{};  ///< all dihedral angles (6 a tetrahedron), 5-degree bins
+  double volume = 0;                   ///< sum of absolute volumes
+  std::size_t inverted = 0, flat = 0;  ///< by the sign of the volume in doubles
+  /// All dihedral angles (6 a tetrahedron) in bins [5i, 5i + 5); 180 falls in the last one. Here and in the
+  /// counts below, an angle within 1e-9 degrees of a limit counts as equal to it.
+  std::array<std::uint64_t, 36> histogram{};
   std::array<std::uint64_t, 5> below{};  ///< tetrahedra with a dihedral angle below 5, 10, 15, 20, 30 degrees
-  std::uint64_t outside_30_135 = 0;  ///< tetrahedra with an angle outside [30, 135] by more than 1e-9 degrees
-  std::vector<WorstTet> worst;       ///< by smallest dihedral angle, at most `worst_count`
+  std::uint64_t outside_30_135 = 0;      ///< tetrahedra with an angle outside [30, 135]
+  std::vector<WorstTet> worst;           ///< by smallest dihedral angle, at most `worst_count`
 };
 
-/// O(tets). Ids index mesh.tets.
+/// O(tets). Ids index mesh.tets; `worst` is sorted, ties by id. max_radius_edge is infinite where a
+/// tetrahedron is flat. Requires finite points and valid indices.
 QualitySummary summarize_quality(const TetMesh& mesh, std::size_t worst_count = 5);
 
 /// Smallest dihedral angle of each tetrahedron in degrees, for output arrays.

@@ -26,10 +26,12 @@ inline double volume(const Tet& t) { return dot(t[1] - t[0], cross(t[2] - t[0], 
 /// Squared length of the shortest edge.
 double shortest_edge_sq(const Tet& t);
 
-/// circumradius / shortest edge.
+/// circumradius / shortest edge; infinity for flat tetrahedra.
 double radius_edge_ratio(const Tet& t);
 
-/// The six dihedral angles in radians, ordered by edges 01, 02, 03, 12, 13, 23.
+/// The six dihedral angles in radians, in [0, pi], ordered by edges 01, 02, 03, 12, 13, 23. Independent of
+/// the orientation; 0 or pi for flat tetrahedra. Edges have to be between 1e-60 and 1e60 (powers up to the
+/// fifth).
 std::array<double, 6> dihedral_angles(const Tet& t);
 
 }  // namespace unsliver::geom
