@@ -43,7 +43,8 @@ need_packages() {
 
   echo "Installing: ${missing[*]}"
   export DEBIAN_FRONTEND=noninteractive
-  if ! { as_root apt-get update -qq && as_root apt-get install -y -qq --no-install-recommends "${missing[@]}"; }; then
+  if ! { as_root apt-get update -qq &&
+    as_root apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >/dev/null; then
     echo "These packages are missing and could not be installed:" >&2
     printf '  %s\n' "${missing[@]}" >&2
     echo "Install them (apt-get install, as root), then run this again." >&2
