@@ -2,6 +2,7 @@
 /// Where to mesh: the domain Omega of Labelle's Figures 5 and 8, as a closed set in the caller's coordinates.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -57,9 +58,45 @@ DomainPtr make_ball(const Vec3& center, double radius);
 DomainPtr make_implicit(const std::string& expression, const Box3& bounds);
 
 /// The solid bounded by a triangle surface. A closed, consistently oriented, edge-manifold surface without
-/// self-intersections is decided by its boundary; any other by generalized winding number > 1/2 together with
-/// the surface itself (every tetrahedron that touches a triangle is kept), and `notes` says so and why.
-/// \throws Error kBadInput for NaN coordinates, no triangle of positive area, or zero extent.
+/// self-intersections is decided by its boundary; any other by generalized winding number > 1/2 (inside the
+/// surface's bounding box) together with the surface itself (every tetrahedron that touches a triangle is
+/// kept), and `notes` says so and why. A surface of negative volume is turned inside out. \throws Error
+/// kBadInput for NaN coordinates, no triangle of positive area, or zero extent.
 DomainPtr make_surface(TriangleMesh surface);
+
+/// One kind of defect: how often, and the first few places.
+struct Defect {
+  std::size_t count = 0;
+  /// Vertex ids for vertices and edges, triangle ids for triangles and pairs of them; at most 10 entries.
+  std::vector<std::vector<std::int64_t>> first;
+};
+
+/// What keeps a triangle surface from being the clean boundary of a solid. Vertices at equal coordinates
+/// count as one vertex, named by its smallest id.
+struct SurfaceDefects {
+  std::size_t points = 0, triangles = 0;
+  std::size_t components = 0;   ///< of triangles that hang together by vertices
+  Defect duplicate_points;      ///< points at the place of an earlier one: harmless
+  Defect degenerate_triangles;  ///< of zero area: ignored
+  Defect duplicate_triangles;   ///< on the same three vertices as an earlier one
+  Defect boundary_edges;        ///< in one triangle
+  Defect non_manifold_edges;    ///< in three or more
+  Defect inconsistent_edges;    ///< in two triangles that run along it in the same direction
+  Defect self_intersections;    ///< pairs of triangles that meet outside their common vertices and edges
+  bool self_intersections_complete = true;  ///< false: the search stopped at 10,000 pairs
+  std::size_t inward_components = 0;        ///< of negative volume: cavities, or turned inside out
+  double signed_volume = 0;                 ///< negative: the surface as a whole is inside out
+
+  bool closed() const { return boundary_edges.count == 0; }
+  /// The boundary decides: closed, edge-manifold, consistently oriented, free of self-intersections.
+  bool clean() const {
+    return closed() && non_manifold_edges.count == 0 && inconsistent_edges.count == 0 &&
+           duplicate_triangles.count == 0 && self_intersections.count == 0;
+  }
+};
+
+/// Counts the defects. O(n log n) for surfaces without many self-intersections.
+/// \throws Error kBadInput for NaN or infinite coordinates, or an index out of range.
+SurfaceDefects inspect_surface(const TriangleMesh& surface);
 
 }  // namespace unsliver

@@ -11,6 +11,8 @@
 
 namespace unsliver::geom {
 
+/// Requires finite coordinates; extents and their differences as in triangle_orient.hpp. Queries are const
+/// and safe to call from several threads. Same input, same bits.
 class TriangleTree {
  public:
   explicit TriangleTree(const TriangleMesh& surface);
@@ -26,6 +28,9 @@ class TriangleTree {
   /// The nearest point of the surface, searched only within `max_distance` (then distance = infinity if
   /// none).
   Nearest nearest(const Vec3& p, double max_distance) const;
+  /// r >= 0: no point of the surface is closer to p than r, certainly; r is at least 0.7 times the distance
+  /// to the surface (but for rounding). Much faster than `nearest` where many triangles are equally far.
+  double clear_radius(const Vec3& p) const;
   /// A lower bound of the distance from any point of the box to the surface; 0 if they may meet.
   double distance_lower_bound(const Box3& box) const;
   /// Generalized winding number at p (hierarchical; absolute error below 1e-3 away from the surface).
@@ -33,6 +38,9 @@ class TriangleTree {
   /// Could some triangle meet the closed tetrahedron? False is certain; true may be wrong only within
   /// rounding.
   bool may_meet(const Tet& t) const;
+  /// Could some triangle meet the interior of the tetrahedron? False is certain, and exact for triangles that
+  /// only touch a face from outside; true may be wrong only within rounding.
+  bool may_meet_interior(const Tet& t) const;
 
  private:
   struct Impl;

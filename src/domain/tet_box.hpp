@@ -1,0 +1,19 @@
+/// \file
+/// Tetrahedron against box, exactly.
+#pragma once
+
+#include "unsliver/types.hpp"
+
+namespace unsliver::domain {
+
+/// Do the interior of t (of any orientation) and the closed box of positive sides have a point in common?
+/// Exact: touching at the boundary is no. Coordinates as in require_usable_range.
+bool interior_meets_box(const Tet& t, const Box3& box);
+
+/// Distance from p to the nearest point of the box, 0 inside; rounded down.
+double distance_to_box(const Vec3& p, const Box3& box);
+
+/// Distance from p, in the box, to its boundary; rounded down, 0 outside.
+double depth_in_box(const Vec3& p, const Box3& box);
+
+}  // namespace unsliver::domain
