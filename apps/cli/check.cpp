@@ -1,0 +1,112 @@
+/// \file
+/// `unsliver check`: an independent judgement of anybody's tetrahedral mesh.
+#include <memory>
+
+#include "check_report.hpp"
+#include "commands.hpp"
+#include "files.hpp"
+#include "progress_display.hpp"
+#include "samples.hpp"
+#include "terminal.hpp"
+#include "text.hpp"
+#include "unsliver/io.hpp"
+
+namespace unsliver::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  unsliver check mesh.vtu
+  unsliver check mesh.vtu --against part.stl --json report.json
+  unsliver check other.msh --min-angle 10 --worst 20
+Any mesh: orientation and conformity, decided exactly. Meshes of unsliver (they carry their lattice):
+the proven angles, the Delaunay property and lattice membership as well. With --against, the surface's
+vertices must be covered (in meshes of unsliver also 100,000 samples of the surface). With --min-angle,
+--max-angle or --max-radius-edge: the mesh is held to these.
+Exit code 0: no fault found (poor angles alone are no fault unless promised or asked for); 1: the mesh
+is not what it should be; 2: the mesh could not be read.)text";
+
+constexpr std::size_t kCoverSamples = 100'000;
+
+struct CheckOptions {
+  std::string mesh, against, json;
+  std::optional<double> min_angle, max_angle, max_radius_edge;
+  std::size_t worst = 5;
+  bool quiet = false;
+};
+
+/// What the mesh is held to: what was asked for, else what meshes of ours promise, else nothing.
+std::optional<QualityGuarantee> guarantee(const CheckOptions& options, bool ours) {
+  if (!ours && !options.min_angle && !options.max_angle && !options.max_radius_edge) return std::nullopt;
+  QualityGuarantee held;
+  if (!ours) held = {0, 180, std::numeric_limits<double>::infinity()};
+  held.min_dihedral_deg = options.min_angle.value_or(held.min_dihedral_deg);
+  held.max_dihedral_deg = options.max_angle.value_or(held.max_dihedral_deg);
+  held.max_radius_edge = options.max_radius_edge.value_or(held.max_radius_edge);
+  return held;
+}
+
+std::vector<Vec3> points_to_cover(const std::string& surface_path, bool ours) {
+  if (surface_path.empty()) return {};
+  const TriangleMesh surface = io::read_surface(surface_path);
+  std::vector<Vec3> points = surface_vertices(surface);
+  if (ours) {
+    const std::vector<Vec3> samples = surface_samples(surface, kCoverSamples);
+    points.insert(points.end(), samples.begin(), samples.end());
+  }
+  return points;
+}
+
+CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
+  CheckReport report;
+  report.file = options.mesh;
+  report.against = options.against;
+  report.vertices = mesh.points.size();
+  for (const Vec3& p : mesh.points) report.bounds.extend(p);
+  report.ours = mesh.frame.has_value() && !mesh.levels.empty();
+  report.held_to = guarantee(options, report.ours);
+  report.quality = summarize_quality(mesh, options.worst);
+
+  VerifyOptions verify_options;
+  verify_options.guarantee = report.held_to;
+  verify_options.delaunay = report.ours;
+  verify_options.must_cover = points_to_cover(options.against, report.ours);
+  ProgressDisplay display(!options.quiet && stderr_is_terminal());
+  report.verified = verify(mesh, verify_options, display.control());
+  report.exit_code = report.verified.ok ? ExitCode::kDone : ExitCode::kLimit;
+  return report;
+}
+
+ExitCode run(const CheckOptions& options) {
+  check_readable(options.mesh);
+  if (!options.against.empty()) check_readable(options.against);
+  if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
+  const CheckReport report = judge(options, io::read_tet_mesh(options.mesh));
+  if (!options.quiet && options.json != "-") print_result(to_table(report));
+  if (!options.json.empty()) write_json(options.json, to_json(report).dump(2) + "\n");
+  if (!report.verified.ok)
+    say_error(
+        options.mesh + ": " + plural(report.verified.finding_count, "finding") +
+        (report.verified.findings.empty() ? "" : "; the first: " + report.verified.findings.front().message));
+  return report.exit_code;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* const parser =
+      app.add_subcommand("check", "Judge any tetrahedral mesh: validity, angles, worst elements");
+  parser->add_option("MESH", options->mesh, "mesh file: .vtu .msh .mesh .node .ele")->required();
+  parser->add_option("--against", options->against, "surface file that the mesh must cover");
+  parser->add_option("--min-angle", options->min_angle,
+                     "hold it to this smallest dihedral angle, in degrees");
+  parser->add_option("--max-angle", options->max_angle, "hold it to this largest dihedral angle, in degrees");
+  parser->add_option("--max-radius-edge", options->max_radius_edge, "hold it to this radius-edge ratio");
+  parser->add_option("--worst", options->worst, "how many of the worst tetrahedra to list (default 5)");
+  parser->add_option("--json", options->json, "report for machines: a file, or - for standard output");
+  parser->add_flag("--quiet", options->quiet, "print errors only");
+  parser->footer(kExamples);
+  return {parser, [options] { return run(*options); }};
+}
+
+}  // namespace unsliver::cli

@@ -1,0 +1,55 @@
+/// \file
+/// `unsliver convert`: a tetrahedral mesh from one format to another.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "files.hpp"
+#include "interrupts.hpp"
+#include "mesh_options.hpp"
+#include "terminal.hpp"
+#include "text.hpp"
+
+namespace unsliver::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  unsliver convert mesh.msh mesh.vtu
+  unsliver convert mesh.vtu mesh.msh --format msh41 --ascii
+Coordinates, region and boundary labels are kept as far as both formats have a place for them.)text";
+
+struct ConvertOptions {
+  std::string from, to;
+  io::WriteOptions write;
+  bool quiet = false;
+};
+
+ExitCode run(const ConvertOptions& options) {
+  check_readable(options.from);
+  check_write_options(options.to, options.write);
+  const TetMesh mesh = io::read_tet_mesh(options.from);
+  {
+    const interrupts::Finish finish;
+    io::write_tet_mesh(options.to, mesh, options.write);
+  }
+  if (!options.quiet)
+    print_result(fmt::format("{}: {} vertices, {} tetrahedra\n", options.to,
+                             with_separators(mesh.points.size()), with_separators(mesh.tets.size())));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+Command add_convert(CLI::App& app) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App* const parser = app.add_subcommand("convert", "Convert a tetrahedral mesh to another format");
+  parser->add_option("FROM", options->from, "mesh file: .vtu .msh .mesh .node .ele")->required();
+  parser->add_option("TO", options->to, "mesh file: .vtu .msh .mesh .node")->required();
+  add_write_options(*parser, options->write);
+  parser->add_flag("--quiet", options->quiet, "print errors only");
+  parser->footer(kExamples);
+  return {parser, [options] { return run(*options); }};
+}
+
+}  // namespace unsliver::cli

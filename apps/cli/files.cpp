@@ -1,0 +1,103 @@
+#include "files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "interrupts.hpp"
+#include "terminal.hpp"
+#include "unsliver/error.hpp"
+#include "unsliver/io.hpp"
+
+namespace unsliver::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+fs::path directory_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+  throw Error(ErrorCode::kIo, fmt::format("{}: {}", path.string(), what));
+}
+
+/// All of `content` on the disk at `path`, or 0 < errno.
+int store(const fs::path& path, const std::string& content) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
+  if (!file) return errno;
+  const bool stored = std::fwrite(content.data(), 1, content.size(), file.get()) == content.size() &&
+                      std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
+  return stored ? 0 : errno;
+}
+
+}  // namespace
+
+std::string extension_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+bool is_surface_file(const fs::path& path) { return among(io::surface_formats(), extension_of(path)); }
+bool is_tet_mesh_file(const fs::path& path) {
+  static const std::vector<std::string> kExtensions = {"vtu", "msh", "mesh", "node", "ele", "face"};
+  return among(kExtensions, extension_of(path));
+}
+
+void check_writable(const fs::path& path, const std::string& option) {
+  std::error_code ignored;
+  const fs::path directory = directory_of(path);
+  if (!fs::is_directory(directory, ignored))
+    fail(path, fmt::format("{} cannot be written: there is no directory {}", option, directory.string()));
+  if (fs::is_directory(path, ignored))
+    fail(path, fmt::format("{} cannot be written: it is a directory", option));
+  if (access(directory.c_str(), W_OK) != 0)
+    fail(path,
+         fmt::format("{} cannot be written: no permission to write into {}", option, directory.string()));
+}
+
+void check_mesh_output(const fs::path& path, const std::string& format) {
+  if (format.empty() && !is_tet_mesh_file(path))
+    throw Error(
+        ErrorCode::kBadOption,
+        fmt::format("{}: no mesh format has the extension \".{}\"; use .vtu, .msh, .mesh or .node, or say "
+                    "--format",
+                    path.string(), extension_of(path)));
+  check_writable(path, "the output");
+}
+
+void check_readable(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) fail(path, "there is no such file");
+  if (fs::is_directory(path, ignored)) fail(path, "this is a directory, not a file");
+  if (access(path.c_str(), R_OK) != 0) fail(path, "no permission to read it");
+}
+
+void write_file(const fs::path& path, const std::string& content) {
+  const interrupts::Finish finish;
+  const fs::path temporary = path.string() + fmt::format(".{}.part", getpid());
+  int failure = store(temporary, content);
+  if (failure == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
+  if (failure == 0) return;
+  std::remove(temporary.c_str());
+  fail(path, fmt::format("cannot be written: {}", std::strerror(failure)));
+}
+
+void write_json(const std::string& path, const std::string& content) {
+  if (path == "-")
+    print_result(content);
+  else
+    write_file(path, content);
+}
+
+}  // namespace unsliver::cli

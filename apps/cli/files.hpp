@@ -1,0 +1,34 @@
+/// \file
+/// Small files of our own, and what can be known of a path before a long run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace unsliver::cli {
+
+/// The extension in lower case, without the dot.
+std::string extension_of(const std::filesystem::path& path);
+
+bool is_surface_file(const std::filesystem::path& path);
+bool is_tet_mesh_file(const std::filesystem::path& path);
+
+/// Refuses a path whose directory is missing or not writable, or that is itself a directory.
+/// \throws Error kIo naming the path and `option`.
+void check_writable(const std::filesystem::path& path, const std::string& option);
+
+/// check_writable, and the extension (or `format`, where not empty) is one that tetrahedral meshes are
+/// written in. \throws Error kIo or kBadOption.
+void check_mesh_output(const std::filesystem::path& path, const std::string& format);
+
+/// \throws Error kIo when nothing can be read there.
+void check_readable(const std::filesystem::path& path);
+
+/// Writes under a temporary name in the same directory and renames; on failure nothing is left behind.
+/// \throws Error kIo.
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+/// write_file, or standard output where the path is "-".
+void write_json(const std::string& path, const std::string& content);
+
+}  // namespace unsliver::cli

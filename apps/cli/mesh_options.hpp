@@ -1,0 +1,38 @@
+/// \file
+/// The options of `unsliver mesh`, checked as far as they can be without reading anything.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "domain_source.hpp"
+#include "size_request.hpp"
+#include "unsliver/io.hpp"
+#include "unsliver/refine.hpp"
+
+namespace unsliver::cli {
+
+struct MeshCommandOptions {
+  DomainRequest domain;
+  SizeRequest size;
+  MeshOptions mesh;
+  std::string strategy = "thrifty";
+  std::string max_tets, max_memory;  ///< as typed; empty = none
+  std::string output;
+  io::WriteOptions write;
+  std::string json;  ///< a path, "-" for standard output, empty for none
+  bool keep_partial = false, no_verify = false, quiet = false;
+};
+
+/// --format and --ascii, shared by the commands that write meshes.
+void add_write_options(CLI::App& parser, io::WriteOptions& write);
+/// \throws Error kBadOption or kIo: --ascii without effect, an unknown extension, a path that is not
+/// writable.
+void check_write_options(const std::string& output, const io::WriteOptions& write);
+
+void add_mesh_options(CLI::App& parser, MeshCommandOptions& options);
+
+/// Derives what was typed as text and refuses what contradicts itself or has no effect. \throws Error.
+void check_mesh_options(MeshCommandOptions& options);
+
+}  // namespace unsliver::cli

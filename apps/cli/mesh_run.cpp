@@ -1,0 +1,189 @@
+#include "mesh_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "interrupts.hpp"
+#include "progress_display.hpp"
+#include "resources.hpp"
+#include "samples.hpp"
+#include "terminal.hpp"
+#include "text.hpp"
+
+namespace unsliver::cli {
+namespace {
+
+constexpr std::size_t kCoverSamples = 100'000;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+class MeshRun {
+ public:
+  MeshRun(const MeshCommandOptions& options, MeshReport& report)
+      : options_(options), report_(report), display_(!options.quiet && stderr_is_terminal()) {}
+
+  void run();
+
+ private:
+  void prepare();
+  void check_limits();
+  void generate();
+  void judge();
+  void write();
+
+  void settle(const std::string& status, ExitCode code);
+  VerifyOptions verify_options() const;
+  std::vector<Vec3> points_to_cover() const;
+
+  template <typename Work>
+  void timed(const std::string& name, Work work) {
+    display_.show(name + " ...");
+    const auto start = Clock::now();
+    work();
+    report_.phases.push_back({name, seconds_since(start)});
+    display_.clear();
+  }
+
+  const MeshCommandOptions& options_;
+  MeshReport& report_;
+  ProgressDisplay display_;
+  MeshResult result_;
+};
+
+void MeshRun::run() {
+  const auto start = Clock::now();
+  timed("read", [this] { prepare(); });
+  check_limits();
+  std::optional<interrupts::Finish> finish;
+  if (options_.keep_partial) finish.emplace();
+  generate();
+  if (!options_.no_verify && result_.status != MeshStatus::kCancelled) timed("verify", [this] { judge(); });
+  const bool wanted = report_.exit_code == ExitCode::kDone ||
+                      (report_.exit_code == ExitCode::kLimit && options_.keep_partial);
+  if (wanted) timed("write", [this] { write(); });
+  report_.total_seconds = seconds_since(start);
+}
+
+void MeshRun::settle(const std::string& status, ExitCode code) {
+  report_.status = status;
+  report_.exit_code = code;
+}
+
+/// Without a cap of the user's, the memory available is the cap: better ended than killed.
+void MeshRun::prepare() {
+  report_.options = options_.mesh;
+  if (report_.options.max_memory_bytes == 0) report_.options.max_memory_bytes = available_memory();
+  report_.source = make_domain(options_.domain);
+  report_.size = make_sizing(options_.size, *report_.source);
+  report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, report_.options);
+}
+
+void MeshRun::check_limits() {
+  const SizeEstimate& estimate = *report_.estimate;
+  const std::string expected =
+      fmt::format("about {} vertices, {} tetrahedra and {} of memory", human_count(estimate.vertices),
+                  human_count(estimate.tets), human_bytes(estimate.bytes));
+  if (!options_.quiet) say("expecting " + expected);
+  const auto [max_tets, max_memory] = std::pair(report_.options.max_tets, report_.options.max_memory_bytes);
+  const bool too_many = max_tets > 0 && !(estimate.tets <= static_cast<double>(max_tets));
+  const bool too_large = max_memory > 0 && !(estimate.bytes <= static_cast<double>(max_memory));
+  if (options_.keep_partial || (!too_many && !too_large)) return;
+  const std::string limit = too_many ? "--max-tets " + with_separators(max_tets)
+                            : options_.mesh.max_memory_bytes > 0
+                                ? "--max-memory " + human_bytes(static_cast<double>(max_memory))
+                                : "the memory available, " + human_bytes(static_cast<double>(max_memory));
+  throw Error(
+      ErrorCode::kLimit,
+      fmt::format("expected are {}, more than {}. Ask for larger elements (--size), raise the limit, or add "
+                  "--keep-partial to run until the limit and keep the unfinished mesh",
+                  expected, limit));
+}
+
+void MeshRun::generate() {
+  result_ = mesh_domain(*report_.source->domain, *report_.size->sizing, report_.options, display_.control());
+  display_.clear();
+  report_.stats = result_.stats;
+  report_.phases.insert(report_.phases.end(), result_.stats.phases.begin(), result_.stats.phases.end());
+  settle(to_string(result_.status), result_.status == MeshStatus::kDone ? ExitCode::kDone : ExitCode::kLimit);
+  if (result_.status == MeshStatus::kCancelled && !options_.keep_partial) return;
+  report_.counts = {result_.mesh.points.size(), result_.mesh.tets.size(), result_.mesh.triangles.size()};
+  report_.quality = summarize_quality(result_.mesh);
+}
+
+std::vector<Vec3> MeshRun::points_to_cover() const {
+  if (!report_.source->surface) return domain_samples(*report_.source->domain, kCoverSamples);
+  std::vector<Vec3> points = surface_vertices(*report_.source->surface);
+  const std::vector<Vec3> samples = surface_samples(*report_.source->surface, kCoverSamples);
+  points.insert(points.end(), samples.begin(), samples.end());
+  return points;
+}
+
+/// An unfinished mesh promises to be a valid Delaunay mesh that covers the domain, and no more.
+VerifyOptions MeshRun::verify_options() const {
+  VerifyOptions verify;
+  verify.must_cover = points_to_cover();
+  if (result_.status != MeshStatus::kDone) return verify;
+  const MeshOptions& asked = report_.options;
+  verify.guarantee = {asked.min_dihedral_deg, asked.max_dihedral_deg, asked.max_radius_edge};
+  verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
+  verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
+  return verify;
+}
+
+void MeshRun::judge() {
+  report_.verified = verify(result_.mesh, verify_options(), display_.control());
+  display_.clear();
+  if (interrupts::requested()) {
+    report_.verified.reset();
+    settle("unverified", ExitCode::kLimit);
+  } else if (!report_.verified->ok) {
+    settle("verification_failed", ExitCode::kBug);
+  }
+}
+
+void MeshRun::write() {
+  const interrupts::Finish finish;
+  io::WriteOptions write = options_.write;
+  write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
+  io::write_tet_mesh(options_.output, result_.mesh, write);
+  report_.output = options_.output;
+}
+
+std::string end_of_run(const std::string& status) {
+  if (status == "tet_cap") return "the cap on tetrahedra ended the run";
+  if (status == "memory_cap") return "the cap on memory ended the run";
+  return "interrupted";
+}
+
+void warn_of_limit(const MeshReport& report, bool keep_partial) {
+  std::string fate = "; nothing was written";
+  if (!keep_partial) fate += " (--keep-partial would keep the unfinished mesh)";
+  if (!report.output.empty() && report.status == "unverified")
+    fate = "; " + report.output + " holds the finished mesh, not verified";
+  else if (!report.output.empty())
+    fate = "; " + report.output + " holds an UNFINISHED mesh: valid, but without the guarantees";
+  say_warning(end_of_run(report.status) + fate);
+}
+
+void cry_for_help(const VerifyReport& verified) {
+  for (const Finding& finding : verified.findings) say_error(finding.check + ": " + finding.message);
+  say_error(
+      fmt::format("THE MESH FAILED ITS INDEPENDENT VERIFICATION ({}). It was not written. This is a bug in "
+                  "unsliver: please report it with this command. --no-verify writes the mesh all the same",
+                  plural(verified.finding_count, "finding")));
+}
+
+}  // namespace
+
+void run_mesh(const MeshCommandOptions& options, MeshReport& report) {
+  MeshRun(options, report).run();
+  if (report.exit_code == ExitCode::kLimit) warn_of_limit(report, options.keep_partial);
+  if (report.exit_code == ExitCode::kBug) cry_for_help(*report.verified);
+}
+
+}  // namespace unsliver::cli

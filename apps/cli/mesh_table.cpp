@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "mesh_report.hpp"
+#include "resources.hpp"
+#include "text.hpp"
+
+namespace unsliver::cli {
+namespace {
+
+class Table {
+ public:
+  void row(const std::string& name, const std::string& text) {
+    fmt::format_to(std::back_inserter(text_), "  {:<13}{}\n", name, text);
+  }
+  void compare(const std::string& name, const std::string& asked, const std::string& guaranteed,
+               const std::string& achieved) {
+    fmt::format_to(std::back_inserter(text_), "  {:<18}{:>12}{:>14}{:>14}\n", name, asked, guaranteed,
+                   achieved);
+  }
+  void blank() { text_ += '\n'; }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+void notes(Table& table, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) table.row("", "note: " + line);
+}
+
+void job(Table& table, const MeshReport& report) {
+  if (report.source) {
+    table.row("input", report.source->label);
+    table.row("domain", report.source->domain->describe());
+    notes(table, report.source->domain->notes());
+  }
+  if (report.size) {
+    table.row("size s",
+              report.size->sizing->describe() + (report.size->by_default ? " (default: diagonal / 40)" : ""));
+    if (report.size->constant)
+      table.row("", fmt::format("edges about {:.4g} on average (s = {:.5f} edge)",
+                                *report.size->constant / kSizePerEdge, kSizePerEdge));
+    notes(table, report.size->sizing->notes());
+  }
+  if (report.counts) {
+    table.row("vertices", with_separators(report.counts->vertices));
+    table.row("tetrahedra", with_separators(report.counts->tets));
+  }
+}
+
+struct Achieved {
+  double min_dihedral_deg, max_dihedral_deg, radius_edge;
+};
+
+/// By the verifier where it ran, in doubles otherwise.
+Achieved achieved(const MeshReport& report) {
+  if (report.verified)
+    return {report.verified->min_dihedral_deg, report.verified->max_dihedral_deg,
+            report.verified->max_radius_edge};
+  return {report.quality->min_dihedral_deg, report.quality->max_dihedral_deg,
+          report.quality->max_radius_edge};
+}
+
+void comparison(Table& table, const MeshReport& report) {
+  if (!report.quality || report.quality->tets == 0) return;
+  const Achieved got = achieved(report);
+  const auto promise = [&](const std::string& text) { return report.guaranteed() ? text : "none"; };
+  const auto compare = [&](const char* name, const char* unit_format, double asked, double value) {
+    const std::string text = fmt::format(fmt::runtime(unit_format), asked);
+    table.compare(name, text, promise(text), fmt::format(fmt::runtime(unit_format), value));
+  };
+  table.blank();
+  table.compare("", "asked", "guaranteed", "achieved");
+  compare("smallest angle", "{:.2f} deg", report.options.min_dihedral_deg, got.min_dihedral_deg);
+  compare("largest angle", "{:.2f} deg", report.options.max_dihedral_deg, got.max_dihedral_deg);
+  compare("radius-edge", "{:.4f}", report.options.max_radius_edge, got.radius_edge);
+  if (report.verified && report.verified->worst_size_ratio > 0)
+    table.compare("size ratio", "1", promise("1"), fmt::format("{:.4f}", report.verified->worst_size_ratio));
+  table.blank();
+}
+
+void costs(Table& table, const MeshReport& report) {
+  std::string times;
+  for (const PhaseTime& phase : report.phases)
+    times += fmt::format("{} {}, ", phase.name, human_seconds(phase.seconds));
+  table.row("time", times + "total " + human_seconds(report.total_seconds));
+  std::string memory = human_bytes(static_cast<double>(peak_resident_memory())) + " at most";
+  if (report.stats && report.stats->total_tets > 0)
+    memory += fmt::format(
+        ", generator {} ({:.0f} bytes a tetrahedron)",
+        human_bytes(static_cast<double>(report.stats->peak_bytes)),
+        static_cast<double>(report.stats->peak_bytes) / static_cast<double>(report.stats->total_tets));
+  table.row("memory", memory);
+}
+
+std::string verdict(const MeshReport& report) {
+  if (!report.verified) return "no: not asked for, or interrupted";
+  if (!report.verified->ok)
+    return fmt::format("FAILED: {}", plural(report.verified->finding_count, "finding"));
+  return fmt::format("yes, exactly, by {}", plural(report.verified->checks.size(), "independent check"));
+}
+
+}  // namespace
+
+std::string to_table(const MeshReport& report) {
+  Table table;
+  job(table, report);
+  comparison(table, report);
+  table.row("verified", verdict(report));
+  costs(table, report);
+  table.row("status", report.status);
+  table.row("written", report.output.empty() ? "nothing" : report.output);
+  return std::move(table).text();
+}
+
+}  // namespace unsliver::cli

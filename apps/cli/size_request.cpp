@@ -1,0 +1,125 @@
+#include "size_request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "files.hpp"
+#include "text.hpp"
+#include "unsliver/error.hpp"
+#include "unsliver/io.hpp"
+
+namespace unsliver::cli {
+
+const double kSizePerEdge = (std::sqrt(5.0) / 4) / ((3 + 2 * std::sqrt(3.0)) / 7);
+
+namespace {
+
+constexpr double kDiagonalPerDefaultSize = 40;
+
+/// --size or --edge-length: `factor` times a number or a formula.
+struct Typed {
+  const char* option;
+  const std::optional<std::string>& text;
+  double factor;
+};
+
+std::vector<Typed> typed_sizes(const SizeRequest& request) {
+  std::vector<Typed> given;
+  for (const Typed& typed :
+       {Typed{"--size", request.size, 1}, Typed{"--edge-length", request.edge_length, kSizePerEdge}})
+    if (typed.text) given.push_back(typed);
+  return given;
+}
+
+void check_positive(const std::string& option, double value) {
+  if (value > 0 && std::isfinite(value)) return;
+  throw Error(ErrorCode::kBadOption,
+              fmt::format("{} is {}: it must be a positive, finite length", option, value));
+}
+
+/// The smallest of the constants asked for, as s.
+std::optional<double> smallest_constant(const SizeRequest& request) {
+  std::optional<double> smallest;
+  for (const Typed& typed : typed_sizes(request))
+    if (const auto number = parse_number(*typed.text)) {
+      const double s = typed.factor * *number;
+      smallest = smallest ? std::min(*smallest, s) : s;
+    }
+  return smallest;
+}
+
+bool varies(const SizeRequest& request) {
+  if (request.size_mesh) return true;
+  for (const Typed& typed : typed_sizes(request))
+    if (!parse_number(*typed.text)) return true;
+  return false;
+}
+
+/// Parsed as typed first, so that columns in error messages are those of the text the user sees.
+SizingPtr formula(const Typed& typed, const Box3& bounds) {
+  const SizingPtr plain = expression_size(*typed.text, bounds);
+  if (typed.factor == 1) return plain;
+  return expression_size(fmt::format("{:.17g} * ({})", typed.factor, *typed.text), bounds);
+}
+
+SizingPtr background(const std::string& path) {
+  check_readable(path);
+  return background_size(io::read_sizing_mesh(path));
+}
+
+SizingPtr combined(std::vector<SizingPtr> sizes) {
+  return sizes.size() == 1 ? sizes.front() : minimum_size(std::move(sizes));
+}
+
+/// Formulas and background meshes, limited to the gradation where one is asked for.
+SizingPtr varying(const SizeRequest& request, const Box3& bounds) {
+  std::vector<SizingPtr> sizes;
+  for (const Typed& typed : typed_sizes(request))
+    if (!parse_number(*typed.text)) sizes.push_back(formula(typed, bounds));
+  if (request.size_mesh) sizes.push_back(background(*request.size_mesh));
+  const SizingPtr all = combined(std::move(sizes));
+  return request.gradation ? limit_gradation(all, *request.gradation, bounds) : all;
+}
+
+SizingPtr uniform(const SizeRequest& request, const DomainSource& source, double s) {
+  if (!request.gradation || !source.surface) return constant_size(s);
+  const double cap = request.size_max.value_or(std::numeric_limits<double>::infinity());
+  return graded_from_surface(*source.surface, s, *request.gradation, cap);
+}
+
+}  // namespace
+
+void check_size_request(const SizeRequest& request, bool surface_input) {
+  for (const Typed& typed : typed_sizes(request))
+    if (const auto number = parse_number(*typed.text)) check_positive(typed.option, *number);
+  if (request.gradation) check_positive("--size-gradation", *request.gradation);
+  if (request.size_max) check_positive("--size-max", *request.size_max);
+  if (request.gradation && !surface_input && !varies(request))
+    throw Error(
+        ErrorCode::kBadOption,
+        "--size-gradation has no effect here: the size is constant and there is no surface to grade from");
+  const bool graded_from_a_surface =
+      request.gradation && surface_input && (smallest_constant(request) || !varies(request));
+  if (request.size_max && !graded_from_a_surface)
+    throw Error(ErrorCode::kBadOption,
+                "--size-max has no effect here: it caps the size that grows away from a surface "
+                "(a surface file, a constant size and --size-gradation)");
+}
+
+SizeSource make_sizing(const SizeRequest& request, const DomainSource& source) {
+  const Box3 bounds = source.domain->bounds();
+  SizeSource result;
+  std::optional<double> s = smallest_constant(request);
+  result.by_default = !s && !varies(request);
+  if (result.by_default) s = bounds.diagonal() / kDiagonalPerDefaultSize;
+  std::vector<SizingPtr> sizes;
+  if (s) sizes.push_back(uniform(request, source, *s));
+  if (varies(request)) sizes.push_back(varying(request, bounds));
+  if (s && !varies(request) && !request.gradation) result.constant = s;
+  result.sizing = combined(std::move(sizes));
+  return result;
+}
+
+}  // namespace unsliver::cli
