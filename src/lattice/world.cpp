@@ -148,7 +148,7 @@ void require_steps(const Box3& box, double steps) {
 World World::fit(const Box3& box, double fit_radius) {
   require_in_range(box);
   require_steps(box, 0x1p53 * (box.longest_side() / farthest_coordinate(box)));
-  const bool fitting = fit_radius > 0 && std::isfinite(fit_radius);
+  const bool fitting = fit_radius > 0 && fit_radius <= 4 * box.longest_side();
   const Scaled wanted = fitting ? largest_fitting(fit_radius) : Scaled(64);
   Candidate c;
   for (int bits = kMantissaBits; bits > 0; --bits) {

@@ -21,10 +21,10 @@ class World {
   /// Chooses a frame for a domain box.
   /// - The longest side of the box spans at least 2^44 and less than 2^45 units (to rounding).
   /// - The origin is the multiple of 2^40 units nearest to the centre of the box.
-  /// - fit_radius > 0 and finite (in the caller's units; else nothing to fit, and m = 64): for some BCC level
-  ///   that is usable, fit_radius * 64/65 < covering_radius(level) * unit <= fit_radius. Where a large
-  ///   offset needs digits, m gives up low bits one at a time: the left bound is then as low as
-  ///   fit_radius / 2. (A fit_radius beyond the coarsest level needs no level: its m is chosen all the same.)
+  /// - fit_radius is in the caller's units; outside (0, 4 longest sides] there is nothing to fit, and m = 64.
+  ///   Else, for some usable BCC level, fit_radius * 64/65 < covering_radius(level) * unit <= fit_radius.
+  ///   Where a large offset needs digits, m gives up low bits one at a time: the left bound is then as low
+  ///   as fit_radius / 2.
   /// \throws Error kBadInput when the box is empty, not finite or a single point; kLimit when its longest
   /// side is below kMinExtent or a coordinate beyond kMaxCoordinate, when the offset leaves fewer than
   /// kMinSteps steps of the finest usable lattice across the box, or when no usable level is as fine as
