@@ -1,0 +1,25 @@
+/// \file
+/// Names and numbers that the VTU reader and writer agree on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace unsliver::io {
+
+inline constexpr std::int64_t kVtkTriangle = 5;
+inline constexpr std::int64_t kVtkTetra = 10;
+
+inline constexpr std::string_view kVtuLevel = "level";
+inline constexpr std::string_view kVtuPointSource = "point_source";
+inline constexpr std::string_view kVtuRegion = "region";
+inline constexpr std::string_view kVtuMinDihedral = "min_dihedral";
+/// Field data: unit, then origin x, y, z.
+inline constexpr std::string_view kVtuFrame = "unsliver_frame";
+
+/// Where region labels are looked for: ours first, then what meshio calls those of other formats.
+inline constexpr std::array<std::string_view, 4> kVtuRegionNames{kVtuRegion, "gmsh:physical", "medit:ref",
+                                                                 "tetgen:ref"};
+
+}  // namespace unsliver::io

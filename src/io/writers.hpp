@@ -1,0 +1,22 @@
+/// \file
+/// Writers of formats. All require a consistent mesh (require_consistent); contracts: unsliver/io.hpp.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "unsliver/mesh.hpp"
+
+namespace unsliver::io {
+
+/// `min_dihedral_deg`: one per tetrahedron or empty.
+void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
+               std::span<const float> min_dihedral_deg);
+void write_msh22(const std::filesystem::path& path, const TetMesh& mesh, bool ascii);
+/// Elements are grouped by region, as the format demands; the order within a region is kept.
+void write_msh41(const std::filesystem::path& path, const TetMesh& mesh, bool ascii);
+void write_medit(const std::filesystem::path& path, const TetMesh& mesh);
+/// Writes STEM.node, STEM.ele and STEM.face, STEM being `path` without extension. Numbers start at 0.
+void write_tetgen(const std::filesystem::path& path, const TetMesh& mesh);
+
+}  // namespace unsliver::io
