@@ -74,12 +74,6 @@ Real degrees(const BigInt& signed_cos_sq, const BigInt& sin_sq) {
 
 }  // namespace
 
-std::optional<int> Judge::settled(double value, double error) {
-  if (!(std::abs(value) > error || error == 0)) return std::nullopt;
-  ++filtered_;
-  return sign(value);
-}
-
 Candidate Judge::candidate(const std::array<VertexId, 4>& v) {
   Candidate c;
   c.v = v;

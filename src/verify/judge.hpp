@@ -59,7 +59,12 @@ class Judge {
   std::uint64_t filtered_decisions() const { return filtered_; }
 
  private:
-  std::optional<int> settled(double value, double error);
+  /// The sign of a value known up to `error`, counted; nothing if the error could change it.
+  std::optional<int> settled(double value, double error) {
+    if (!(std::abs(value) > error || error == 0)) return std::nullopt;
+    ++filtered_;
+    return sign(value);
+  }
   std::optional<Verdict> quality_in_doubles(const Candidate& c);
   template <class T>
   Verdict quality_in_integers(const Candidate& c);

@@ -71,6 +71,40 @@ inline TetMesh bcc_mesh(const BccOptions& o = {}) {
   return mesh;
 }
 
+/// Every cell of SC_k cut into six tetrahedra round a diagonal: everywhere Delaunay with ties, angles 45,
+/// 60, 90.
+inline TetMesh kuhn_mesh(const BccOptions& o = {}) {
+  TetMesh mesh;
+  if (o.frame) mesh.frame = Frame{o.unit, o.origin};
+  const auto [nx, ny, nz] = o.cells;
+  const auto side = std::int64_t{1} << o.k;
+  const auto id = [&, ny = ny, nz = nz](const std::array<int, 3>& c) {
+    return VertexId((c[0] * (ny + 1) + c[1]) * (nz + 1) + c[2]);
+  };
+  const auto add_cell = [&](const std::array<int, 3>& cell) {
+    constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    for (int i = 0; i < 6; ++i) {
+      std::array<VertexId, 4> tet;
+      std::array<int, 3> c = cell;
+      tet[0] = id(c);
+      for (int step = 0; step < 3; ++step) ++c[kOrders[i][step]], tet[step + 1] = id(c);
+      if (i >= 3) std::swap(tet[2], tet[3]);
+      mesh.tets.push_back(tet);
+    }
+  };
+  for (int x = 0; x <= nx; ++x) {
+    for (int y = 0; y <= ny; ++y) {
+      for (int z = 0; z <= nz; ++z) {
+        const Vec3 steps{double(x * side), double(y * side), double(z * side)};
+        mesh.points.push_back(o.origin + o.unit * steps);
+        mesh.levels.push_back(std::uint8_t(2 * o.k + 1));
+        if (x < nx && y < ny && z < nz) add_cell({x, y, z});
+      }
+    }
+  }
+  return mesh;
+}
+
 /// One tetrahedron with integer corners, no frame.
 inline TetMesh single_tet(const std::array<std::array<double, 3>, 4>& p) {
   TetMesh mesh;

@@ -59,21 +59,58 @@ TEST(Valid, WithoutFrameIntegersAreFoundFromTheDoubles) {
   EXPECT_EQ(r.exact_decisions, 0u);
 }
 
-TEST(Valid, PlainDoublesOnNoCommonGrid) {
-  TetMesh mesh = bcc_mesh();
-  mesh.frame.reset();
+TEST(Valid, CospherityIsTheNormalCaseAndCheap) {
+  const VerifyReport r = verify(kuhn_mesh(), guaranteed(45, 90));
+  EXPECT_TRUE(r.ok) << text(r);
+  EXPECT_EQ(r.exact_decisions, 0u);
+  EXPECT_DOUBLE_EQ(r.min_dihedral_deg, 45);
+  EXPECT_DOUBLE_EQ(r.max_dihedral_deg, 90);
+  EXPECT_NEAR(r.max_radius_edge, std::sqrt(0.75), 1e-15);
+  EXPECT_DOUBLE_EQ(r.volume, 8 * 8 * 8 * 512);
+}
+
+TEST(Valid, BothLatticesAtOtherScales) {
+  for (const int k : {1, 2, 17, 40}) {
+    SCOPED_TRACE(k);
+    for (const TetMesh& mesh :
+         {bcc_mesh({.cells = {3, 4, 5}, .k = k}), kuhn_mesh({.cells = {3, 4, 5}, .k = k})}) {
+      const VerifyReport r = verify(mesh, guaranteed());
+      EXPECT_TRUE(r.ok) << text(r);
+      EXPECT_EQ(r.exact_decisions, 0u);
+    }
+  }
+}
+
+TEST(Valid, TiesAreExactInPlainDoublesToo) {
+  TetMesh mesh = kuhn_mesh({.cells = {3, 3, 3}, .frame = false});
   mesh.levels.clear();
-  mesh.points[0].x += 0x1p-1000;  // rounds away in every difference: only integers can see it
-  const VerifyReport r = verify(mesh, guaranteed(30, 135, 2));
-  EXPECT_GT(r.exact_decisions, 0u);
-  EXPECT_EQ(findings(r)["orientation"] + findings(r)["conformity"] + findings(r)["dihedral"], 0) << text(r);
+  mesh.points.push_back({1e300, 1, 1e-300});  // unused, but it makes a common grid impossible
+  const VerifyReport r = verify(mesh, guaranteed(45, 90));
+  EXPECT_TRUE(r.ok) << text(r);
+  EXPECT_GT(r.exact_decisions, 27u * 6) << "every tie needs integers here";
+}
+
+TEST(Valid, TiesAreExactFarFromTheOrigin) {
+  // Differences of about 2^33 with the lowest bit set: neither small nor beyond 128 bits, then far beyond.
+  for (const double side : {0x1p12 + 1, 0x1p33 + 1, 0x1p45 + 1}) {
+    TetMesh mesh = kuhn_mesh({.cells = {2, 2, 2}, .k = 0, .unit = side, .origin = {3, 5, 7}, .frame = false});
+    mesh.levels.clear();
+    const VerifyReport r = verify(mesh, guaranteed(45, 90));
+    EXPECT_TRUE(r.ok) << text(r);
+    for (Vec3& p : mesh.points) {
+      if (p == mesh.points[13]) p.x += 1;
+    }
+    EXPECT_FALSE(verify(mesh, guaranteed(45, 90)).ok);
+  }
 }
 
 TEST(Valid, GlobalDelaunay) {
   VerifyOptions o = guaranteed();
   o.delaunay_global = true;
-  const VerifyReport r = verify(bcc_mesh({.cells = {4, 4, 4}}), o);
-  EXPECT_TRUE(r.ok) << text(r);
+  for (const TetMesh& mesh : {bcc_mesh({.cells = {4, 4, 4}}), kuhn_mesh({.cells = {3, 3, 3}})}) {
+    const VerifyReport r = verify(mesh, o);
+    EXPECT_TRUE(r.ok) << text(r);
+  }
 }
 
 TEST(Valid, EmptyMesh) { EXPECT_TRUE(verify({}, guaranteed()).ok); }

@@ -1,0 +1,239 @@
+// Each kind of damage, at many seeded places, must be caught by the check that is there for it.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "bcc_mesh.hpp"
+
+namespace unsliver {
+namespace {
+
+using namespace testing_verify;
+
+/// The attained bounds of BCC: nothing may move.
+VerifyOptions tight() {
+  VerifyOptions o = guaranteed(60, 90, 0.6455);
+  o.max_findings = 1000000;
+  return o;
+}
+
+/// Runs `damage` at 20 seeded places of a fresh mesh; expects a finding of `check` every time.
+template <class Damage>
+void expect_caught(const std::string& check, Damage&& damage, const VerifyOptions& options = tight()) {
+  const TetMesh valid = bcc_mesh({.cells = {6, 6, 6}});
+  ASSERT_TRUE(verify(valid, options).ok) << text(verify(valid, options));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    TetMesh mesh = valid;
+    damage(mesh, random);
+    const VerifyReport r = verify(mesh, options);
+    EXPECT_FALSE(r.ok);
+    EXPECT_GT(findings(r)[check], 0) << text(r);
+    EXPECT_EQ(r.finding_count, r.findings.size());
+  }
+}
+
+std::size_t any_tet(const TetMesh& m, std::mt19937_64& random) { return random() % m.tets.size(); }
+std::size_t any_point(const TetMesh& m, std::mt19937_64& random) { return random() % m.points.size(); }
+
+TEST(Mutation, FlippedTetrahedron) {
+  const auto flip = [](TetMesh& m, auto& random) {
+    auto& t = m.tets[any_tet(m, random)];
+    std::swap(t[random() % 2], t[2 + random() % 2]);
+  };
+  expect_caught("orientation", flip);
+  expect_caught("conformity", flip);
+}
+
+TEST(Mutation, VertexMovedByOneUlp) {
+  expect_caught("lattice", [](TetMesh& m, auto& random) {
+    double& x = m.points[any_point(m, random)][int(random() % 3)];
+    x = std::nextafter(x, random() % 2 ? 1e9 : -1e9);
+  });
+}
+
+TEST(Mutation, VertexMovedByOneUlpWithoutLevels) {
+  const auto nudge = [](TetMesh& m, auto& random) {
+    m.levels.clear();
+    m.frame.reset();
+    double& x = m.points[any_point(m, random)][int(random() % 3)];
+    x = std::nextafter(x == 0 ? 0x1p-30 : x, 1e9);
+  };
+  expect_caught("dihedral", nudge);
+}
+
+TEST(Mutation, VertexMovedByOneUnit) {
+  const auto step = [](TetMesh& m, auto& random) {
+    m.points[any_point(m, random)][int(random() % 3)] += random() % 2 ? 1 : -1;
+  };
+  expect_caught("lattice", step);
+  expect_caught("dihedral", step);
+  expect_caught("radius-edge", step);
+}
+
+TEST(Mutation, VertexMovedFarIsNotDelaunay) {
+  VerifyOptions o = tight();
+  o.guarantee.reset();
+  const auto move = [](TetMesh& m, auto& random) {
+    const auto& t = m.tets[any_tet(m, random)];
+    m.levels.clear();
+    m.points[t[2]] = m.points[t[2]] + 0.6 * (m.points[t[3]] - m.points[t[2]]);
+  };
+  expect_caught("delaunay", move, o);
+}
+
+TEST(Mutation, DeletedTetrahedronOpensTheCover) {
+  VerifyOptions o = tight();
+  const TetMesh valid = bcc_mesh({.cells = {6, 6, 6}});
+  for (std::size_t t = 0; t < valid.tets.size(); ++t) {
+    const Tet c = valid.corners(t);
+    o.must_cover.push_back(0.25 * (c[0] + c[1] + c[2] + c[3]));
+  }
+  const double volume = verify(valid, o).volume;
+  expect_caught(
+      "cover",
+      [&](TetMesh& m, auto& random) {
+        m.tets.erase(m.tets.begin() + std::ptrdiff_t(any_tet(m, random)));
+        const VerifyReport r = verify(m, o);
+        EXPECT_DOUBLE_EQ(r.volume, volume - 512.0 / 12);
+        EXPECT_EQ(findings(r)["cover"], 1);
+      },
+      o);
+}
+
+TEST(Mutation, DuplicatedTetrahedron) {
+  expect_caught("conformity", [](TetMesh& m, auto& random) {
+    auto copy = m.tets[any_tet(m, random)];
+    if (random() % 2) copy = {copy[1], copy[0], copy[3], copy[2]};
+    m.tets.push_back(copy);
+  });
+  // Alone in the mesh, and as its own mirror image.
+  for (const std::array<VertexId, 4> again : {std::array<VertexId, 4>{1, 2, 0, 3}, {1, 0, 2, 3}}) {
+    TetMesh mesh = single_tet({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+    mesh.tets.push_back(again);
+    EXPECT_EQ(findings(verify(mesh, {}))["conformity"], 4);
+  }
+}
+
+TEST(Mutation, SwappedVertices) {
+  expect_caught("orientation", [](TetMesh& m, auto& random) {
+    const auto& t = m.tets[any_tet(m, random)];
+    std::swap(m.points[t[0]], m.points[t[2]]);
+  });
+}
+
+TEST(Mutation, ReplacedVertex) {
+  expect_caught("conformity", [](TetMesh& m, auto& random) {
+    const std::size_t t = any_tet(m, random), u = any_tet(m, random);
+    if (t == u) return void(m.tets.push_back(m.tets[t]));
+    m.tets[t] = m.tets[u];
+  });
+}
+
+TEST(Mutation, SplitVertexLeavesACrack) {
+  expect_caught("conformity", [](TetMesh& m, auto& random) {
+    VertexId& v = m.tets[any_tet(m, random)][random() % 4];
+    m.points.push_back(m.points[v]);
+    m.levels.push_back(m.levels[v]);
+    v = VertexId(m.points.size() - 1);
+  });
+}
+
+TEST(Mutation, NotANumber) {
+  for (const double bad : {double(NAN), double(INFINITY)}) {
+    expect_caught("coordinates", [bad](TetMesh& m, auto& random) {
+      m.points[any_point(m, random)][int(random() % 3)] = bad;
+    });
+  }
+  expect_caught("coordinates", [](TetMesh& m, auto&) { m.frame->unit = 0; });
+  expect_caught("coordinates", [](TetMesh& m, auto&) { m.frame->origin.y = NAN; });
+}
+
+TEST(Mutation, BadIndex) {
+  expect_caught("index", [](TetMesh& m, auto& random) {
+    m.tets[any_tet(m, random)][random() % 4] = random() % 2 ? kNoVertex : VertexId(m.points.size());
+  });
+  expect_caught("index", [](TetMesh& m, auto& random) {
+    auto& t = m.tets[any_tet(m, random)];
+    t[0] = t[1 + random() % 3];
+  });
+  expect_caught("index", [](TetMesh& m, auto&) { m.levels.pop_back(); });
+  expect_caught("index", [](TetMesh& m, auto&) { m.triangles.push_back({0, 1, kNoVertex}); });
+}
+
+TEST(Mutation, WrongLevel) {
+  expect_caught("lattice", [](TetMesh& m, auto& random) {
+    // A BCC_3 point of this block may be in SC_3 and coarser, never in all of SC_10.
+    std::size_t v = any_point(m, random);
+    while (m.points[v] == Vec3{}) v = any_point(m, random);
+    m.levels[v] = std::uint8_t(21 + random() % 100);
+  });
+}
+
+TEST(Mutation, WrongFrame) {
+  expect_caught("lattice", [](TetMesh& m, auto&) { m.frame->origin.x += 1; });
+  expect_caught("lattice", [](TetMesh& m, auto&) { m.frame->unit = 0.75; });
+  expect_caught("lattice", [](TetMesh& m, auto&) { m.frame->unit = 1e-60; });
+}
+
+TEST(Mutation, GuaranteeTooHigh) {
+  const TetMesh mesh = bcc_mesh();
+  const double up = std::nextafter(60, 61), down = std::nextafter(90, 89);
+  EXPECT_EQ(verify(mesh, guaranteed(60, 90)).finding_count, 0u);
+  EXPECT_EQ(findings(verify(mesh, guaranteed(up, 90)))["dihedral"], 20);
+  EXPECT_EQ(findings(verify(mesh, guaranteed(60, down)))["dihedral"], 20);
+  EXPECT_EQ(verify(mesh, guaranteed(up, 90)).finding_count, mesh.tets.size());
+  EXPECT_EQ(findings(verify(mesh, guaranteed(60, 90, std::sqrt(5.0 / 12) - 1e-15)))["radius-edge"], 20);
+  EXPECT_EQ(verify(mesh, guaranteed(60, 90, std::sqrt(5.0 / 12) + 1e-15)).finding_count, 0u);
+}
+
+TEST(Mutation, MissingVertexBreaksTheSizeBound) {
+  // Every point of the block is within sqrt(5)/4 of the cell side; without one vertex, some are not.
+  VerifyOptions o = tight();
+  o.size = [](const Vec3&) { return 8 * std::sqrt(5.0) / 4; };
+  o.inside = [](const Vec3& p) { return std::min({p.x, p.y, p.z}) > 12 && std::max({p.x, p.y, p.z}) < 36; };
+  o.size_samples = 20000;
+  EXPECT_GT(verify(bcc_mesh({.cells = {6, 6, 6}}), o).worst_size_ratio, 0.9);
+  expect_caught(
+      "size",
+      [](TetMesh& m, auto& random) {
+        std::size_t v = any_point(m, random);
+        const auto deep = [&](const Vec3& p) {
+          return std::min({p.x, p.y, p.z}) >= 16 && std::max({p.x, p.y, p.z}) <= 32;
+        };
+        while (!deep(m.points[v])) v = any_point(m, random);
+        std::erase_if(m.tets, [&](const auto& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
+      },
+      o);
+  o.inside = [](const Vec3&) { return false; };
+  EXPECT_EQ(findings(verify(bcc_mesh(), o))["size"], 1) << "an untested bound must not pass";
+  o.inside = [](const Vec3&) { return true; };
+  o.size = [](const Vec3&) { return NAN; };
+  EXPECT_EQ(verify(bcc_mesh(), o).finding_count, o.size_samples);
+}
+
+TEST(Mutation, GradingBelowItsBound) {
+  VerifyOptions o = tight();
+  const double nearest = 8 * std::sqrt(3.0) / 2;
+  o.lfs_lower_bound = [](const Vec3&) { return 2.0; };
+  o.grading_constant = nearest / 2;
+  const VerifyReport r = verify(bcc_mesh(), o);
+  EXPECT_TRUE(r.ok) << text(r);
+  EXPECT_DOUBLE_EQ(r.worst_grading, nearest / 2);
+  o.grading_constant *= 1.0001;
+  EXPECT_GT(findings(verify(bcc_mesh(), o))["grading"], 0);
+}
+
+TEST(Mutation, OverlapIsSeenByCoverPoints) {
+  TetMesh mesh = single_tet({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}}});
+  for (const Vec3 p : {Vec3{1, 1, 1}, Vec3{9, 1, 1}, Vec3{1, 9, 1}, Vec3{1, 1, 9}}) mesh.points.push_back(p);
+  mesh.tets.push_back({4, 5, 6, 7});
+  VerifyOptions o;
+  o.must_cover = {{2, 2, 2}, {0.5, 0.5, 0.5}};
+  EXPECT_EQ(findings(verify(mesh, o))["overlap"], 1);
+}
+
+}  // namespace
+}  // namespace unsliver
