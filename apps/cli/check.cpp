@@ -1,5 +1,8 @@
 /// \file
 /// `unsliver check`: an independent judgement of anybody's tetrahedral mesh.
+#include <fmt/format.h>
+
+#include <limits>
 #include <memory>
 
 #include "check_report.hpp"
@@ -45,6 +48,18 @@ std::optional<QualityGuarantee> guarantee(const CheckOptions& options, bool ours
   return held;
 }
 
+/// \throws Error kBadOption for a bound that no angle or ratio can meet.
+void check_bounds(const CheckOptions& options) {
+  const auto within = [](const char* option, const std::optional<double>& value, double low, double high) {
+    if (value && !(low <= *value && *value <= high))
+      throw Error(ErrorCode::kBadOption,
+                  fmt::format("{} is {}: it must lie between {} and {}", option, *value, low, high));
+  };
+  within("--min-angle", options.min_angle, 0, 70.528779);
+  within("--max-angle", options.max_angle, 70.528779, 180);
+  within("--max-radius-edge", options.max_radius_edge, 0.612372, std::numeric_limits<double>::infinity());
+}
+
 std::vector<Vec3> points_to_cover(const std::string& surface_path, bool ours) {
   if (surface_path.empty()) return {};
   const TriangleMesh surface = io::read_surface(surface_path);
@@ -77,6 +92,7 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
 }
 
 ExitCode run(const CheckOptions& options) {
+  check_bounds(options);
   check_readable(options.mesh);
   if (!options.against.empty()) check_readable(options.against);
   if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");

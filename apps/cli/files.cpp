@@ -29,12 +29,18 @@ fs::path directory_of(const fs::path& path) { return path.has_parent_path() ? pa
   throw Error(ErrorCode::kIo, fmt::format("{}: {}", path.string(), what));
 }
 
-/// All of `content` on the disk at `path`, or 0 < errno.
+/// A device or a pipe: written directly, for nothing can be renamed onto it.
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+/// All of `content` at `path`, or 0 < errno.
 int store(const fs::path& path, const std::string& content) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
   if (!file) return errno;
   const bool stored = std::fwrite(content.data(), 1, content.size(), file.get()) == content.size() &&
-                      std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
+                      std::fflush(file.get()) == 0;
   return stored ? 0 : errno;
 }
 
@@ -61,9 +67,12 @@ void check_writable(const fs::path& path, const std::string& option) {
     fail(path, fmt::format("{} cannot be written: there is no directory {}", option, directory.string()));
   if (fs::is_directory(path, ignored))
     fail(path, fmt::format("{} cannot be written: it is a directory", option));
-  if (access(directory.c_str(), W_OK) != 0)
+  if (is_special(path)) {
+    if (access(path.c_str(), W_OK) != 0) fail(path, option + " cannot be written: no permission");
+  } else if (access(directory.c_str(), W_OK) != 0) {
     fail(path,
          fmt::format("{} cannot be written: no permission to write into {}", option, directory.string()));
+  }
 }
 
 void check_mesh_output(const fs::path& path, const std::string& format) {
@@ -85,11 +94,12 @@ void check_readable(const fs::path& path) {
 
 void write_file(const fs::path& path, const std::string& content) {
   const interrupts::Finish finish;
-  const fs::path temporary = path.string() + fmt::format(".{}.part", getpid());
-  int failure = store(temporary, content);
-  if (failure == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
+  const bool special = is_special(path);
+  const fs::path stored = special ? path : fs::path(path.string() + fmt::format(".{}.part", getpid()));
+  int failure = store(stored, content);
+  if (failure == 0 && !special && std::rename(stored.c_str(), path.c_str()) != 0) failure = errno;
   if (failure == 0) return;
-  std::remove(temporary.c_str());
+  if (!special) std::remove(stored.c_str());
   fail(path, fmt::format("cannot be written: {}", std::strerror(failure)));
 }
 

@@ -2,6 +2,7 @@
 /// `unsliver info`: what a surface or mesh file holds.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -11,6 +12,7 @@
 #include "mesh_report.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
+#include "unsliver/domain.hpp"
 #include "unsliver/io.hpp"
 
 namespace unsliver::cli {
@@ -32,17 +34,34 @@ Box3 box_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-Json describe_surface(const std::string& path) {
-  TriangleMesh surface = io::read_surface(path);
-  Json json{{"kind", "surface"},
-            {"points", surface.points.size()},
-            {"triangles", surface.triangles.size()},
-            {"bounds", to_json(box_of(surface.points))}};
-  const DomainPtr domain = make_surface(std::move(surface));
-  json["domain"] = domain->describe();
-  json["volume"] = domain->volume();
-  json["notes"] = domain->notes();
+Json defects_json(const SurfaceDefects& defects) {
+  Json json = Json::object();
+  const auto add = [&](const char* name, const Defect& defect) {
+    json[name] = {{"count", defect.count}, {"first", defect.first}};
+  };
+  add("duplicate_points", defects.duplicate_points);
+  add("degenerate_triangles", defects.degenerate_triangles);
+  add("duplicate_triangles", defects.duplicate_triangles);
+  add("boundary_edges", defects.boundary_edges);
+  add("non_manifold_edges", defects.non_manifold_edges);
+  add("inconsistent_edges", defects.inconsistent_edges);
+  add("self_intersections", defects.self_intersections);
   return json;
+}
+
+Json describe_surface(const std::string& path) {
+  const TriangleMesh surface = io::read_surface(path);
+  const SurfaceDefects defects = inspect_surface(surface);
+  return {{"kind", "surface"},
+          {"points", surface.points.size()},
+          {"triangles", surface.triangles.size()},
+          {"bounds", to_json(box_of(surface.points))},
+          {"components", defects.components},
+          {"inward_components", defects.inward_components},
+          {"signed_volume", defects.signed_volume},
+          {"clean", defects.clean()},
+          {"self_intersections_complete", defects.self_intersections_complete},
+          {"defects", defects_json(defects)}};
 }
 
 Json describe_tet_mesh(const std::string& path) {
@@ -65,21 +84,38 @@ std::string value_text(const Json& value) {
   return value.dump();
 }
 
-std::string to_text(const Json& report) {
-  std::string text;
-  const auto row = [&](const std::string& name, const std::string& value) {
-    fmt::format_to(std::back_inserter(text), "  {:<16}{}\n", name, value);
-  };
-  for (const auto& [name, value] : report.items()) {
-    if (name == "unsliver" || name == "command" || name == "exit_code") continue;
-    if (name == "bounds")
-      row(name, fmt::format("{} to {}", value["lo"].dump(), value["hi"].dump()));
-    else if (name == "notes")
-      for (const auto& note : value) row("note", note.get<std::string>());
-    else if (!value.is_array() || !value.empty())
-      row(name, value_text(value));
+class Rows {
+ public:
+  void add(std::string name, const std::string& value) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    fmt::format_to(std::back_inserter(text_), "  {:<22}{}\n", name, value);
   }
-  return text;
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_defects(Rows& rows, const Json& report) {
+  for (const auto& [name, defect] : report["defects"].items())
+    if (const auto count = defect["count"].get<std::uint64_t>(); count > 0)
+      rows.add(name, with_separators(count) + "; the first: " + defect["first"].dump());
+  rows.add("inside is decided by", report["clean"].get<bool>()
+                                       ? "the boundary (closed, consistently oriented, not crossed)"
+                                       : "winding number, and every triangle is covered");
+}
+
+std::string to_text(const Json& report) {
+  Rows rows;
+  for (const auto& [name, value] : report.items())
+    if (name == "bounds")
+      rows.add(name, value["lo"].dump() + " to " + value["hi"].dump());
+    else if (name == "defects")
+      add_defects(rows, report);
+    else if (name != "unsliver" && name != "command" && name != "exit_code" &&
+             !(value.is_array() && value.empty()))
+      rows.add(name, value_text(value));
+  return rows.text();
 }
 
 ExitCode run(const InfoOptions& options) {
