@@ -29,9 +29,15 @@ double shortest_edge_sq(const Tet& t);
 /// circumradius / shortest edge; infinity for flat tetrahedra.
 double radius_edge_ratio(const Tet& t);
 
-/// The six dihedral angles in radians, in [0, pi], ordered by edges 01, 02, 03, 12, 13, 23. Independent of
-/// the orientation; 0 or pi for flat tetrahedra. Edges have to be between 1e-60 and 1e60 (powers up to the
-/// fifth).
+/// Cotangents of the six dihedral angles, ordered by edges 01, 02, 03, 12, 13, 23: they fall from infinity to
+/// -infinity as angles grow from 0 to pi, and cost far less. Independent of the orientation; infinite for
+/// flat tetrahedra. Edges have to be between 1e-60 and 1e60 (powers up to the fifth).
+std::array<double, 6> dihedral_cotangents(const Tet& t);
+
+/// The angle in [0, pi] that has this cotangent.
+inline double angle_of_cotangent(double cotangent) { return std::atan2(1.0, cotangent); }
+
+/// The six dihedral angles in radians, in [0, pi], in the order of dihedral_cotangents.
 std::array<double, 6> dihedral_angles(const Tet& t);
 
 }  // namespace unsliver::geom

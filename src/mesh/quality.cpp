@@ -1,3 +1,5 @@
+// Angles are compared by their cotangents, which fall as angles grow: no inverse function an angle, only one
+// for each number that is reported.
 #include "unsliver/quality.hpp"
 
 #include <numbers>
@@ -8,12 +10,32 @@ namespace unsliver {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kBinWidth = 5;
-constexpr std::array<double, 5> kLimits = {5, 10, 15, 20, 30};
 
 /// The angles of lattice tetrahedra lie exactly on the limits of bins and counts: rounding must not
 /// spread them to both sides.
-constexpr double kSlack = 1e-9;
+constexpr double kSlackDeg = 1e-9;
+
+double cot_deg(double angle) { return 1 / std::tan(angle / kDegrees); }
+double degrees(double cotangent) { return kDegrees * geom::angle_of_cotangent(cotangent); }
+
+/// Cotangents of the angles that bins and counts end at.
+struct Limits {
+  Limits() {
+    bins.fill(std::numeric_limits<double>::quiet_NaN());  // no angle reaches them
+    for (int i = 1; i < 36; ++i) bins[i] = cot_deg(5 * i - kSlackDeg);
+  }
+  std::array<double, 64> bins;
+  std::array<double, 5> below = {cot_deg(5 - kSlackDeg), cot_deg(10 - kSlackDeg), cot_deg(15 - kSlackDeg),
+                                 cot_deg(20 - kSlackDeg), cot_deg(30 - kSlackDeg)};
+  double smallest = cot_deg(30 - kSlackDeg), largest = cot_deg(135 + kSlackDeg);
+};
+
+/// The last bin whose lower end the angle reaches. Without branches: angles are hard to predict.
+std::size_t bin_of(double cotangent, const Limits& limits) {
+  std::size_t bin = 0;
+  for (std::size_t step = 32; step > 0; step /= 2) bin += step * (cotangent <= limits.bins[bin + step]);
+  return bin;
+}
 
 /// The exponent of a power of two that brings the largest coordinate to about 1: angles and ratios do not
 /// change, and their products of five lengths stay in range.
@@ -25,29 +47,27 @@ int normalizing_exponent(const std::vector<Vec3>& points) {
 
 Tet operator*(double s, const Tet& t) { return {s * t[0], s * t[1], s * t[2], s * t[3]}; }
 
+/// Cotangents of the smallest and the largest angle.
 struct Extremes {
-  double min = 180, max = 0;
-  void add(double angle) {
-    min = std::min(min, angle);
-    max = std::max(max, angle);
+  double min_angle = -std::numeric_limits<double>::infinity();
+  double max_angle = std::numeric_limits<double>::infinity();
+
+  void add(const Extremes& other) {
+    min_angle = std::max(min_angle, other.min_angle);
+    max_angle = std::min(max_angle, other.max_angle);
   }
 };
 
-Extremes count_angles(const Tet& t, std::array<std::uint64_t, 36>& histogram) {
+Extremes extremes_of(const std::array<double, 6>& cotangents) {
   Extremes extremes;
-  for (const double radians : geom::dihedral_angles(t)) {
-    const double angle = kDegrees * radians;
-    extremes.add(angle);
-    ++histogram[std::min(std::size_t((angle + kSlack) / kBinWidth), histogram.size() - 1)];
-  }
+  for (const double c : cotangents) extremes.add({c, c});
   return extremes;
 }
 
-void count_limits(const Extremes& angles, QualitySummary& summary) {
-  for (std::size_t i = 0; i < kLimits.size(); ++i) summary.below[i] += angles.min < kLimits[i] - kSlack;
-  summary.outside_30_135 += angles.min < 30 - kSlack || angles.max > 135 + kSlack;
-  summary.min_dihedral_deg = std::min(summary.min_dihedral_deg, angles.min);
-  summary.max_dihedral_deg = std::max(summary.max_dihedral_deg, angles.max);
+void count_angles(const Extremes& angles, const Limits& limits, QualitySummary& summary) {
+  for (std::size_t i = 0; i < limits.below.size(); ++i)
+    summary.below[i] += angles.min_angle > limits.below[i];
+  summary.outside_30_135 += angles.min_angle > limits.smallest || angles.max_angle < limits.largest;
 }
 
 void count_volume(const Tet& t, QualitySummary& summary) {
@@ -57,15 +77,19 @@ void count_volume(const Tet& t, QualitySummary& summary) {
   summary.flat += volume == 0;
 }
 
-bool worse(const WorstTet& a, const WorstTet& b) {
-  if (a.min_dihedral_deg != b.min_dihedral_deg) return a.min_dihedral_deg < b.min_dihedral_deg;
-  return a.tet < b.tet;
+struct Candidate {
+  double cotangent;  ///< of the smallest angle
+  std::size_t tet;
+};
+
+bool worse(const Candidate& a, const Candidate& b) {
+  return a.cotangent != b.cotangent ? a.cotangent > b.cotangent : a.tet < b.tet;
 }
 
 /// Keeps `worst`, a heap with the best of the worst on top, at no more than `count`.
-void keep_worst(const WorstTet& candidate, std::size_t count, std::vector<WorstTet>& worst) {
-  if (worst.size() == count && (count == 0 || !worse(candidate, worst.front()))) return;
+void keep_worst(const Candidate& candidate, std::size_t count, std::vector<Candidate>& worst) {
   if (worst.size() == count) {
+    if (count == 0 || !worse(candidate, worst.front())) return;
     std::pop_heap(worst.begin(), worst.end(), worse);
     worst.pop_back();
   }
@@ -73,24 +97,39 @@ void keep_worst(const WorstTet& candidate, std::size_t count, std::vector<WorstT
   std::push_heap(worst.begin(), worst.end(), worse);
 }
 
+WorstTet describe(const TetMesh& mesh, double to_unit, std::size_t tet) {
+  const Tet t = to_unit * mesh.corners(tet);
+  const Extremes angles = extremes_of(geom::dihedral_cotangents(t));
+  return {tet, degrees(angles.min_angle), degrees(angles.max_angle), geom::radius_edge_ratio(t),
+          mesh.corners(tet)};
+}
+
 }  // namespace
 
 QualitySummary summarize_quality(const TetMesh& mesh, std::size_t worst_count) {
-  QualitySummary summary;
-  summary.tets = mesh.tets.size();
+  const Limits limits;
   const int exponent = normalizing_exponent(mesh.points);
   const double to_unit = std::ldexp(1.0, exponent);
+  QualitySummary summary;
+  Extremes extremes;
+  std::vector<Candidate> worst;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const Tet t = to_unit * mesh.corners(i);
-    const Extremes angles = count_angles(t, summary.histogram);
-    const double radius_edge = geom::radius_edge_ratio(t);
-    count_limits(angles, summary);
+    const auto cotangents = geom::dihedral_cotangents(t);
+    const Extremes angles = extremes_of(cotangents);
+    for (const double c : cotangents) ++summary.histogram[bin_of(c, limits)];
+    count_angles(angles, limits, summary);
     count_volume(t, summary);
-    summary.max_radius_edge = std::max(summary.max_radius_edge, radius_edge);
-    keep_worst({i, angles.min, angles.max, radius_edge, mesh.corners(i)}, worst_count, summary.worst);
+    extremes.add(angles);
+    summary.max_radius_edge = std::max(summary.max_radius_edge, geom::radius_edge_ratio(t));
+    keep_worst({angles.min_angle, i}, worst_count, worst);
   }
+  summary.tets = mesh.tets.size();
+  summary.min_dihedral_deg = degrees(extremes.min_angle);
+  summary.max_dihedral_deg = degrees(extremes.max_angle);
   summary.volume = std::ldexp(summary.volume, -3 * exponent);
-  std::sort_heap(summary.worst.begin(), summary.worst.end(), worse);
+  std::sort_heap(worst.begin(), worst.end(), worse);
+  for (const Candidate& candidate : worst) summary.worst.push_back(describe(mesh, to_unit, candidate.tet));
   return summary;
 }
 
@@ -98,8 +137,8 @@ std::vector<float> min_dihedral_angles_deg(const TetMesh& mesh) {
   const double to_unit = std::ldexp(1.0, normalizing_exponent(mesh.points));
   std::vector<float> angles(mesh.tets.size());
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const auto six = geom::dihedral_angles(to_unit * mesh.corners(i));
-    angles[i] = float(kDegrees * *std::min_element(six.begin(), six.end()));
+    const Extremes extremes = extremes_of(geom::dihedral_cotangents(to_unit * mesh.corners(i)));
+    angles[i] = float(degrees(extremes.min_angle));
   }
   return angles;
 }
