@@ -13,7 +13,7 @@ namespace unsliver::exact {
 
 /// The power of two common to some integers, and what remains.
 struct Scale {
-  int shift = 0;  ///< g = 2^shift; 64 if all are 0
+  int shift = 0;  ///< g = 2^shift
   int bits = 0;   ///< the absolute values over g are below 2^bits
 };
 
@@ -35,11 +35,12 @@ struct IntegerRows {
                  static_cast<std::int64_t>(exact[i].z)};
       mask |= magnitude(rows[i].x) | magnitude(rows[i].y) | magnitude(rows[i].z);
     }
+    if (mask == 0) return;
     scale.shift = std::countr_zero(mask);
     scale.bits = static_cast<int>(std::bit_width(mask)) - scale.shift;
   }
 
-  /// Divides the rows by g. Requires: not all are 0.
+  /// Divides the rows by g.
   void reduce() {
     for (Row<std::int64_t>& r : rows) r = {r.x >> scale.shift, r.y >> scale.shift, r.z >> scale.shift};
   }

@@ -1,13 +1,17 @@
 /// \file
 /// The stages of the quality signs: filter, exact doubles, 128 bits, 512 bits. Notation: see shape.hpp; L =
-/// the largest squared edge, D the largest difference, g the power of two common to all, u = 2^-53.
+/// the largest squared edge, D the largest coordinate of e_0, e_1, e_2, g the power of two common to these,
+/// u = 2^-53.
 ///
-/// Error bounds in doubles, to first order, in units of u (|n_i| <= L, |X| <= 3 L^2, det^2 <= L^3):
-///   n_i: 2 sqrt(2) L;   G, N_i: (4 sqrt(2) + 3) L^2 < 8.7 L^2;   G |G| and N_i N_j: 18.4 L^4;
-///   the angle's expression: (18.4 + 2) (num + den) L^4;
-///   X: 3 (3 + 2 sqrt(2) + 3) L^2 < 26.5 L^2;   |X|^2: (2 * 3 * 26.5 + 3 * 9) L^4 = 186 L^4;
-///   4 det^2 l_min: 4 (2 (2 sqrt(2) + 3) + 5) L^4 < 67 L^4;   the ratio's: less than 204 (num + den) L^4.
-/// kAngleError and kRatioError leave 7 percent for higher orders and for rounding in the bound itself.
+/// Error bounds in doubles, to first order, in units of u (|n_i|^2 <= L^2, |X|^2 <= 9 L^4, det^2 <= L^3):
+///   e_i . e_j: 3 L;   the other squared edges: 15 L;   G_ij for i, j < 3: (7 + 7 + 1) L^2 = 15 L^2;
+///   G_i3: (3 * 15 + 3) L^2 = 48 L^2;   G_33: (3 * 48 + 3) L^2 = 147 L^2;
+///   G_ii G_jj: (15 + 147 + 1) L^4 = 163 L^4;   G_ij |G_ij|: (2 * 48 + 1) L^4 = 97 L^4;
+///   the angle's expression, with its own 3 roundings: less than 166 (num + den) L^4;
+///   a sum of 3 products of G_ij and e_i . e_j: (3 * 19 + 5) L^3 = 62 L^3, its value at most 3 L^3;
+///   |X|^2: (3 (62 + 9 + 3) + 15) L^4 = 237 L^4;   det^2 l_min: (62 + 15 + 1) L^4 = 78 L^4;
+///   the ratio's expression: (237 + 18) den L^4 + 4 (78 + 2) num L^4 <= 320 (num + den) L^4.
+/// kAngleError and kRatioError leave 6 percent for higher orders and for rounding in the bound itself.
 ///
 /// Exact doubles. In units of powers of g all intermediates are integers of at most 9 (num + den) L^4: while
 /// these are below 2^53, nothing is rounded.
@@ -26,30 +30,28 @@
 namespace unsliver::exact {
 namespace {
 
-constexpr double kAngleError = 22 * 0x1p-53, kRatioError = 220 * 0x1p-53;
+constexpr double kAngleError = 176 * 0x1p-53, kRatioError = 340 * 0x1p-53;
 constexpr double kExactLimit = 0.99 * 0x1p53 / 9;
 constexpr int kCoordinateBits = 49;  ///< of a difference
 constexpr int kBoundBits = 20;       ///< of a bound's num and den
 constexpr int kMediumBits = 14;      ///< of a difference over g in MediumShape
 
-/// Both expressions are below this power of 2: a component of X is at most 18 D^4, so |X|^2 at most 972 D^8;
-/// 4 det^2 l_min at most 432 D^8; N_i N_j and G^2 at most 144 D^8 each.
+/// Both expressions are below this power of 2. e_i . e_j is at most 3 D^2, G_ij 9 D^4 for i, j < 3, G_i3 27
+/// D^4 and G_33 81 D^4: so G_ii G_jj and G_ij^2 are at most 729 D^8, |X|^2 too, 4 det^2 l_min at most 972
+/// D^8.
 constexpr int expression_bits(int coordinate_bits, int bound_bits) {
-  return bit_budget(972 + 432, 8, coordinate_bits) + bound_bits;
+  return bit_budget(729 + 972, 8, coordinate_bits) + bound_bits;
 }
-static_assert(bit_budget(18, 4, kMediumBits) < 64);
-static_assert(bit_budget(3, 2, kCoordinateBits) < 128);
-static_assert(bit_budget(18, 4, kCoordinateBits) < Int256::kBits);
+static_assert(bit_budget(81, 4, kMediumBits) < 64);
+static_assert(bit_budget(12, 2, kCoordinateBits) < 128);
+static_assert(bit_budget(81, 4, kCoordinateBits) < Int256::kBits);
 static_assert(expression_bits(kCoordinateBits, kBoundBits) < Int512::kBits);
 
 using Pair = std::array<std::size_t, 2>;
 constexpr std::array<Pair, 6> kPairs = {Pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 Edges<double> edges_of(const Tet& t) {
-  const auto edge = [&t](std::size_t from, std::size_t to) {
-    return Row<double>{t[to].x - t[from].x, t[to].y - t[from].y, t[to].z - t[from].z};
-  };
-  return {edge(3, 0), edge(3, 1), edge(3, 2), edge(0, 1), edge(0, 2), edge(1, 2)};
+  return {detail::row(t[0], t[3]), detail::row(t[1], t[3]), detail::row(t[2], t[3])};
 }
 
 template <class Bound>
@@ -81,7 +83,7 @@ struct Undecided {
 /// Decides with the cheapest exact shape. `decide(shape)` must work for all three kinds.
 template <class Decide>
 auto decide_exactly(const DoubleShape& doubles, const Undecided& u, StageCounts& counts, Decide decide) {
-  IntegerRows<6> integers(u.edges);
+  IntegerRows<3> integers(u.edges);
   if (u.bound_size * u.scale < kExactLimit * power_of_g(integers.scale, 8)) {
     ++counts.small;
     return decide(doubles);
@@ -111,8 +113,8 @@ int staged_sign(const Tet& t, const Bound& bound, double relative_error, StageCo
 }
 
 /// Coefficients in the number type of a shape.
-template <class One, class Two, class Four, class Eight, class Bound>
-Coefficients<Eight> coefficients(const Shape<One, Two, Four, Eight>&, const Bound& bound) {
+template <class Two, class Four, class Eight, class Bound>
+Coefficients<Eight> coefficients(const Shape<Two, Four, Eight>&, const Bound& bound) {
   return Coefficients<Eight>(bound);
 }
 

@@ -1,18 +1,22 @@
 /// \file
 /// The expressions of degree 8 whose signs are the quality of a tetrahedron, for doubles and for integers.
 ///
-/// Notation. Corners 0..3; n_i = the outward normal of the face opposite to corner i, as long as twice its
-/// area; N_i = |n_i|^2; e_0, e_1, e_2 = the edge vectors from corner 3; l_min = the smallest squared edge.
-/// With G = n_i . n_j the dihedral angle of faces i and j has cos = -G / sqrt(N_i N_j), so
-///   angle > bound     iff   sign num N_i N_j + den G |G| > 0.
-/// The circumcentre is X / (2 det) away from corner 3, X = sum |e_i|^2 n_i and |det| = |e_0 . n_0|, so
+/// Notation. Corners 0..3; e_i = the edge vector from corner 3 to corner i, i < 3; n_i = the outward normal
+/// of the face opposite to corner i, as long as twice its area; l_min = the smallest squared edge. All is
+/// made of the products e_i . e_j: those of the normals, G_ij = n_i . n_j, are their minors for i, j < 3
+/// (Lagrange's identity), and n_0 + n_1 + n_2 + n_3 = 0 gives the others. The dihedral angle of faces i and j
+/// has cos = -G_ij / sqrt(G_ii G_jj), so
+///   angle > bound     iff   sign num G_ii G_jj + den G_ij |G_ij| > 0.
+/// The circumcentre is X / (2 det) away from corner 3 with X = sum |e_i|^2 n_i and det = det(e_0, e_1, e_2):
 ///   ratio^2 > bound   iff   den |X|^2 - 4 num det^2 l_min > 0.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "exact/determinants.hpp"
 #include "exact/quality_signs.hpp"
@@ -21,28 +25,26 @@
 namespace unsliver::exact {
 
 template <class Two, class One>
-constexpr Row<Two> cross_product(const Row<One>& a, const Row<One>& b) {
-  return {Two(a.y) * Two(b.z) - Two(a.z) * Two(b.y), Two(a.z) * Two(b.x) - Two(a.x) * Two(b.z),
-          Two(a.x) * Two(b.y) - Two(a.y) * Two(b.x)};
-}
-
-template <class Product, class A, class B>
-constexpr Product dot_product(const Row<A>& a, const Row<B>& b) {
-  return Product(a.x) * Product(b.x) + Product(a.y) * Product(b.y) + Product(a.z) * Product(b.z);
+constexpr Two dot_product(const Row<One>& a, const Row<One>& b) {
+  return Two(a.x) * Two(b.x) + Two(a.y) * Two(b.y) + Two(a.z) * Two(b.z);
 }
 
 /// v |v|, in a type that holds it.
 template <class Square, class T>
-constexpr Square signed_square(const T& v) {
-  const Square square = Square(v) * Square(v);
-  return sign_of(v) < 0 ? -square : square;
+Square signed_square(const T& v) {
+  if constexpr (std::is_same_v<T, double>) {
+    return v * std::abs(v);
+  } else {
+    const Square square = Square(v) * Square(v);
+    return sign_of(v) < 0 ? -square : square;
+  }
 }
 
-/// The edge vectors of a tetrahedron: from corner 3 to 0, 1, 2, then 0 to 1, 0 to 2, 1 to 2.
+/// The edge vectors e_0, e_1, e_2.
 template <class One>
-using Edges = std::array<Row<One>, 6>;
+using Edges = std::array<Row<One>, 3>;
 
-/// A bound on an angle or ratio as coefficients of the two terms above.
+/// A bound as coefficients of the two terms above.
 template <class Eight>
 struct Coefficients {
   Eight num, den;
@@ -50,7 +52,7 @@ struct Coefficients {
   explicit constexpr Coefficients(const RatioBound& b) : num(Eight(4 * b.num)), den(Eight(b.den)) {}
 };
 
-/// One pair of faces: the terms N_i N_j and G |G|.
+/// One pair of faces: the terms G_ii G_jj and G_ij |G_ij|.
 template <class Eight>
 struct FacePair {
   Eight norms, dot;
@@ -61,49 +63,68 @@ struct FacePair {
   }
 };
 
-/// Two, Four, Eight: number types for values of degree 2, 4 and 8 in the coordinates.
-template <class One, class Two, class Four, class Eight>
+/// Two, Four, Eight: number types for values of degree 2, 4, and 6 or 8 in the coordinates.
+template <class Two, class Four, class Eight>
 class Shape {
  public:
-  explicit constexpr Shape(const Edges<One>& edges)
-      : edges_(edges),
-        normals_{cross_product<Two>(edges[1], edges[2]), cross_product<Two>(edges[2], edges[0]),
-                 cross_product<Two>(edges[0], edges[1]), cross_product<Two>(edges[4], edges[3])} {
-    for (std::size_t i = 0; i < 4; ++i) norms_[i] = dot_product<Four>(normals_[i], normals_[i]);
-    for (std::size_t i = 0; i < 6; ++i) lengths_[i] = lift<Two>(edges[i]);
+  template <class One>
+  explicit constexpr Shape(const Edges<One>& e)
+      : l0_(lift<Two>(e[0])),
+        l1_(lift<Two>(e[1])),
+        l2_(lift<Two>(e[2])),
+        e01_(dot_product<Two>(e[0], e[1])),
+        e02_(dot_product<Two>(e[0], e[2])),
+        e12_(dot_product<Two>(e[1], e[2])) {
+    set(0, 0, minor(l1_, l2_, e12_, e12_));
+    set(1, 1, minor(l0_, l2_, e02_, e02_));
+    set(2, 2, minor(l0_, l1_, e01_, e01_));
+    set(0, 1, minor(e12_, e02_, e01_, l2_));
+    set(0, 2, minor(e01_, e12_, l1_, e02_));
+    set(1, 2, minor(e02_, e01_, e12_, l0_));
+    for (std::size_t i = 0; i < 3; ++i) set(i, 3, -(g_[i][0] + g_[i][1] + g_[i][2]));
+    g_[3][3] = -(g_[0][3] + g_[1][3] + g_[2][3]);
   }
 
-  constexpr FacePair<Eight> pair(std::size_t i, std::size_t j) const {
-    return {Eight(norms_[i]) * Eight(norms_[j]),
-            signed_square<Eight>(dot_product<Four>(normals_[i], normals_[j]))};
+  FacePair<Eight> pair(std::size_t i, std::size_t j) const {
+    return {Eight(g_[i][i]) * Eight(g_[j][j]), signed_square<Eight>(g_[i][j])};
   }
 
   /// Its sign is that of (circumradius / shortest edge)^2 - bound.
   constexpr Eight ratio_excess(const Coefficients<Eight>& bound) const {
-    const Row<Four> center = {weighted(&Row<Two>::x), weighted(&Row<Two>::y), weighted(&Row<Two>::z)};
-    const Four det = dot_product<Four>(edges_[0], normals_[0]);
-    const Eight det_sq = Eight(det) * Eight(det);
-    const Two shortest = *std::min_element(lengths_.begin(), lengths_.end());
-    return bound.den * dot_product<Eight>(center, center) - bound.num * (det_sq * Eight(shortest));
+    const Eight center_sq = product(l0_, row(0, l0_, l1_, l2_)) + product(l1_, row(1, l0_, l1_, l2_)) +
+                            product(l2_, row(2, l0_, l1_, l2_));
+    const Eight det_sq = row(0, l0_, e01_, e02_);
+    return bound.den * center_sq - bound.num * product(shortest(), det_sq);
   }
 
-  /// The largest squared edge.
-  constexpr Two longest() const { return *std::max_element(lengths_.begin(), lengths_.end()); }
+  /// The smallest and the largest squared edge.
+  constexpr Two shortest() const {
+    return std::min(std::min(std::min(l0_, l1_), std::min(l2_, l01())), std::min(l02(), l12()));
+  }
+  constexpr Two longest() const {
+    return std::max(std::max(std::max(l0_, l1_), std::max(l2_, l01())), std::max(l02(), l12()));
+  }
 
  private:
-  constexpr Four weighted(Two Row<Two>::*axis) const {
-    return Four(lengths_[0]) * Four(normals_[0].*axis) + Four(lengths_[1]) * Four(normals_[1].*axis) +
-           Four(lengths_[2]) * Four(normals_[2].*axis);
+  static constexpr Four minor(const Two& a, const Two& b, const Two& c, const Two& d) {
+    return Four(a) * Four(b) - Four(c) * Four(d);
   }
+  static constexpr Eight product(const Two& a, const Eight& b) { return Eight(a) * b; }
+  constexpr Eight row(std::size_t i, const Two& a, const Two& b, const Two& c) const {
+    return Eight(g_[i][0]) * Eight(a) + Eight(g_[i][1]) * Eight(b) + Eight(g_[i][2]) * Eight(c);
+  }
+  constexpr void set(std::size_t i, std::size_t j, const Four& v) { g_[i][j] = g_[j][i] = v; }
 
-  Edges<One> edges_;
-  std::array<Row<Two>, 4> normals_;
-  std::array<Four, 4> norms_{};
-  std::array<Two, 6> lengths_{};
+  constexpr Two l01() const { return l0_ + l1_ - (e01_ + e01_); }
+  constexpr Two l02() const { return l0_ + l2_ - (e02_ + e02_); }
+  constexpr Two l12() const { return l1_ + l2_ - (e12_ + e12_); }
+
+  Two l0_, l1_, l2_, e01_, e02_, e12_;
+  std::array<std::array<Four, 4>, 4> g_{};
 };
 
-using DoubleShape = Shape<double, double, double, double>;
-using MediumShape = Shape<std::int64_t, std::int64_t, std::int64_t, Int128>;
-using WideShape = Shape<std::int64_t, Int128, Int256, Int512>;
+using DoubleShape = Shape<double, double, double>;
+using MediumShape = Shape<std::int64_t, std::int64_t, Int128>;
+using WideShape = Shape<Int128, Int256, Int512>;
 
 }  // namespace unsliver::exact
