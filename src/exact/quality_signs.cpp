@@ -47,9 +47,6 @@ static_assert(bit_budget(12, 2, kCoordinateBits) < 128);
 static_assert(bit_budget(81, 4, kCoordinateBits) < Int256::kBits);
 static_assert(expression_bits(kCoordinateBits, kBoundBits) < Int512::kBits);
 
-using Pair = std::array<std::size_t, 2>;
-constexpr std::array<Pair, 6> kPairs = {Pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-
 Edges<double> edges_of(const Tet& t) {
   return {detail::row(t[0], t[3]), detail::row(t[1], t[3]), detail::row(t[2], t[3])};
 }
@@ -72,7 +69,7 @@ double scale_of(const DoubleShape& shape) {
   return (l * l) * (l * l);
 }
 
-/// What the filter knows when it gives up, for all signs asked of one tetrahedron.
+/// What the stages behind the filter need, for all signs asked of one tetrahedron.
 struct Undecided {
   Edges<double> edges;
   double scale;       ///< L^4
@@ -80,13 +77,14 @@ struct Undecided {
   int bound_bits;
 };
 
-/// Decides with the cheapest exact shape. `decide(shape)` must work for all three kinds.
+/// Decides with the cheapest exact shape. `decide(shape)` must work for all three kinds. Kept out of line, so
+/// that the filter before it keeps its numbers in registers.
 template <class Decide>
-auto decide_exactly(const DoubleShape& doubles, const Undecided& u, StageCounts& counts, Decide decide) {
+[[gnu::noinline]] auto decide_exactly(const Undecided& u, StageCounts& counts, Decide decide) {
   IntegerRows<3> integers(u.edges);
   if (u.bound_size * u.scale < kExactLimit * power_of_g(integers.scale, 8)) {
     ++counts.small;
-    return decide(doubles);
+    return decide(DoubleShape(u.edges));
   }
   integers.reduce();
   const int bits = integers.scale.bits;
@@ -102,14 +100,14 @@ auto decide_exactly(const DoubleShape& doubles, const Undecided& u, StageCounts&
 template <class Bound, class Excess>
 int staged_sign(const Tet& t, const Bound& bound, double relative_error, StageCounts& counts, Excess excess) {
   const Edges<double> edges = edges_of(t);
-  const DoubleShape doubles(edges);
-  const double value = excess(doubles), scale = scale_of(doubles);
+  const DoubleShape shape(edges);
+  const double value = excess(shape), scale = scale_of(shape);
   if (std::abs(value) > relative_error * size_of(bound) * scale) {
     ++counts.filter;
     return sign_of(value);
   }
-  return decide_exactly(doubles, {edges, scale, size_of(bound), bits_of(bound)}, counts,
-                        [&excess](const auto& shape) { return sign_of(excess(shape)); });
+  return decide_exactly({edges, scale, size_of(bound), bits_of(bound)}, counts,
+                        [&excess](const auto& exact) { return sign_of(excess(exact)); });
 }
 
 /// Coefficients in the number type of a shape.
@@ -120,28 +118,31 @@ Coefficients<Eight> coefficients(const Shape<Two, Four, Eight>&, const Bound& bo
 
 template <class AnyShape>
 bool is_bad_shape(const AnyShape& shape, const QualityBounds& bounds) {
-  const auto low = coefficients(shape, bounds.min_dihedral), high = coefficients(shape, bounds.max_dihedral);
-  for (const auto& [i, j] : kPairs) {
-    const auto pair = shape.pair(i, j);
-    if (sign_of(pair.excess(low)) < 0 || sign_of(pair.excess(high)) > 0) return true;
-  }
-  return sign_of(shape.ratio_excess(coefficients(shape, bounds.max_radius_edge))) > 0;
+  const auto min = coefficients(shape, bounds.min_dihedral), max = coefficients(shape, bounds.max_dihedral);
+  bool bad = false;
+  shape.for_each_pair(
+      [&](const auto& pair) { bad = bad || sign_of(pair.excess(min)) < 0 || sign_of(pair.excess(max)) > 0; });
+  return bad || sign_of(shape.ratio_excess(coefficients(shape, bounds.max_radius_edge))) > 0;
 }
 
-/// By how much a tetrahedron exceeds its bounds: positive where it is bad.
-struct Excess {
-  double low = -std::numeric_limits<double>::infinity(), high = low, ratio = 0;
+/// Is the tetrahedron bad, as far as doubles can tell?
+enum class Verdict { kGood, kBad, kUnknown };
 
-  Excess(const DoubleShape& shape, const QualityBounds& bounds) {
-    const Coefficients<double> min(bounds.min_dihedral), max(bounds.max_dihedral);
-    for (const auto& [i, j] : kPairs) {
-      const FacePair<double> pair = shape.pair(i, j);
-      low = std::max(low, -pair.excess(min));
-      high = std::max(high, pair.excess(max));
-    }
-    ratio = shape.ratio_excess(Coefficients<double>(bounds.max_radius_edge));
-  }
-};
+Verdict filtered_verdict(const DoubleShape& shape, double scale, const QualityBounds& bounds) {
+  const Coefficients<double> min(bounds.min_dihedral), max(bounds.max_dihedral);
+  double below = -std::numeric_limits<double>::infinity(), above = below;
+  shape.for_each_pair([&](const FacePair<double>& pair) {
+    below = std::max(below, -pair.excess(min));
+    above = std::max(above, pair.excess(max));
+  });
+  const double ratio = shape.ratio_excess(Coefficients<double>(bounds.max_radius_edge));
+  const double below_error = kAngleError * size_of(bounds.min_dihedral) * scale;
+  const double above_error = kAngleError * size_of(bounds.max_dihedral) * scale;
+  const double ratio_error = kRatioError * size_of(bounds.max_radius_edge) * scale;
+  if (below < -below_error && above < -above_error && ratio < -ratio_error) return Verdict::kGood;
+  if (below > below_error || above > above_error || ratio > ratio_error) return Verdict::kBad;
+  return Verdict::kUnknown;
+}
 
 }  // namespace
 
@@ -160,24 +161,17 @@ int compare_radius_edge(const Tet& t, const RatioBound& bound, StageCounts& coun
 
 bool is_bad(const Tet& t, const QualityBounds& bounds, StageCounts& counts) {
   const Edges<double> edges = edges_of(t);
-  const DoubleShape doubles(edges);
-  const Excess excess(doubles, bounds);
-  const double scale = scale_of(doubles);
-  const double low_size = size_of(bounds.min_dihedral), high_size = size_of(bounds.max_dihedral),
-               ratio_size = size_of(bounds.max_radius_edge);
-  const double low_error = kAngleError * low_size * scale, high_error = kAngleError * high_size * scale,
-               ratio_error = kRatioError * ratio_size * scale;
-  const bool bad = excess.low > low_error || excess.high > high_error || excess.ratio > ratio_error;
-  const bool good = excess.low < -low_error && excess.high < -high_error && excess.ratio < -ratio_error;
-  if (bad || good) {
+  const DoubleShape shape(edges);
+  const double scale = scale_of(shape);
+  const Verdict verdict = filtered_verdict(shape, scale, bounds);
+  if (verdict != Verdict::kUnknown) {
     ++counts.filter;
-    return bad;
+    return verdict == Verdict::kBad;
   }
-  const Undecided undecided = {edges, scale, std::max({low_size, high_size, ratio_size}),
-                               std::max({bits_of(bounds.min_dihedral), bits_of(bounds.max_dihedral),
-                                         bits_of(bounds.max_radius_edge)})};
-  return decide_exactly(doubles, undecided, counts,
-                        [&bounds](const auto& shape) { return is_bad_shape(shape, bounds); });
+  const auto& [min, max, ratio] = bounds;
+  return decide_exactly({edges, scale, std::max({size_of(min), size_of(max), size_of(ratio)}),
+                         std::max({bits_of(min), bits_of(max), bits_of(ratio)})},
+                        counts, [&bounds](const auto& exact) { return is_bad_shape(exact, bounds); });
 }
 
 }  // namespace unsliver::exact

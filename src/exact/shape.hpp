@@ -63,7 +63,8 @@ struct FacePair {
   }
 };
 
-/// Two, Four, Eight: number types for values of degree 2, 4, and 6 or 8 in the coordinates.
+/// Two, Four, Eight: number types for values of degree 2, 4, and 6 or 8 in the coordinates. Scalars, not
+/// arrays: they stay in registers.
 template <class Two, class Four, class Eight>
 class Shape {
  public:
@@ -74,27 +75,42 @@ class Shape {
         l2_(lift<Two>(e[2])),
         e01_(dot_product<Two>(e[0], e[1])),
         e02_(dot_product<Two>(e[0], e[2])),
-        e12_(dot_product<Two>(e[1], e[2])) {
-    set(0, 0, minor(l1_, l2_, e12_, e12_));
-    set(1, 1, minor(l0_, l2_, e02_, e02_));
-    set(2, 2, minor(l0_, l1_, e01_, e01_));
-    set(0, 1, minor(e12_, e02_, e01_, l2_));
-    set(0, 2, minor(e01_, e12_, l1_, e02_));
-    set(1, 2, minor(e02_, e01_, e12_, l0_));
-    for (std::size_t i = 0; i < 3; ++i) set(i, 3, -(g_[i][0] + g_[i][1] + g_[i][2]));
-    g_[3][3] = -(g_[0][3] + g_[1][3] + g_[2][3]);
+        e12_(dot_product<Two>(e[1], e[2])),
+        g00_(minor(l1_, l2_, e12_, e12_)),
+        g11_(minor(l0_, l2_, e02_, e02_)),
+        g22_(minor(l0_, l1_, e01_, e01_)),
+        g01_(minor(e12_, e02_, e01_, l2_)),
+        g02_(minor(e01_, e12_, l1_, e02_)),
+        g12_(minor(e02_, e01_, e12_, l0_)),
+        g03_(-(g00_ + g01_ + g02_)),
+        g13_(-(g01_ + g11_ + g12_)),
+        g23_(-(g02_ + g12_ + g22_)),
+        g33_(-(g03_ + g13_ + g23_)) {}
+
+  /// The pair of the faces opposite to corners i and j.
+  FacePair<Eight> pair(std::size_t i, std::size_t j) const {
+    const std::array<Four, 4> squares = {g00_, g11_, g22_, g33_};
+    const std::array<Four, 6> products = {g01_, g02_, g03_, g12_, g13_, g23_};
+    return pair(squares[i], squares[j], products[std::min(i, j) == 0 ? std::max(i, j) - 1 : i + j]);
   }
 
-  FacePair<Eight> pair(std::size_t i, std::size_t j) const {
-    return {Eight(g_[i][i]) * Eight(g_[j][j]), signed_square<Eight>(g_[i][j])};
+  template <class Visit>
+  void for_each_pair(Visit visit) const {
+    visit(pair(g00_, g11_, g01_));
+    visit(pair(g00_, g22_, g02_));
+    visit(pair(g00_, g33_, g03_));
+    visit(pair(g11_, g22_, g12_));
+    visit(pair(g11_, g33_, g13_));
+    visit(pair(g22_, g33_, g23_));
   }
 
   /// Its sign is that of (circumradius / shortest edge)^2 - bound.
   constexpr Eight ratio_excess(const Coefficients<Eight>& bound) const {
-    const Eight center_sq = product(l0_, row(0, l0_, l1_, l2_)) + product(l1_, row(1, l0_, l1_, l2_)) +
-                            product(l2_, row(2, l0_, l1_, l2_));
-    const Eight det_sq = row(0, l0_, e01_, e02_);
-    return bound.den * center_sq - bound.num * product(shortest(), det_sq);
+    const Eight center_sq = Eight(l0_) * sum(g00_, l0_, g01_, l1_, g02_, l2_) +
+                            Eight(l1_) * sum(g01_, l0_, g11_, l1_, g12_, l2_) +
+                            Eight(l2_) * sum(g02_, l0_, g12_, l1_, g22_, l2_);
+    const Eight det_sq = sum(g00_, l0_, g01_, e01_, g02_, e02_);
+    return bound.den * center_sq - bound.num * (Eight(shortest()) * det_sq);
   }
 
   /// The smallest and the largest squared edge.
@@ -109,18 +125,20 @@ class Shape {
   static constexpr Four minor(const Two& a, const Two& b, const Two& c, const Two& d) {
     return Four(a) * Four(b) - Four(c) * Four(d);
   }
-  static constexpr Eight product(const Two& a, const Eight& b) { return Eight(a) * b; }
-  constexpr Eight row(std::size_t i, const Two& a, const Two& b, const Two& c) const {
-    return Eight(g_[i][0]) * Eight(a) + Eight(g_[i][1]) * Eight(b) + Eight(g_[i][2]) * Eight(c);
+  static FacePair<Eight> pair(const Four& square_i, const Four& square_j, const Four& product) {
+    return {Eight(square_i) * Eight(square_j), signed_square<Eight>(product)};
   }
-  constexpr void set(std::size_t i, std::size_t j, const Four& v) { g_[i][j] = g_[j][i] = v; }
+  static constexpr Eight sum(const Four& a, const Two& b, const Four& c, const Two& d, const Four& e,
+                             const Two& f) {
+    return Eight(a) * Eight(b) + Eight(c) * Eight(d) + Eight(e) * Eight(f);
+  }
 
   constexpr Two l01() const { return l0_ + l1_ - (e01_ + e01_); }
   constexpr Two l02() const { return l0_ + l2_ - (e02_ + e02_); }
   constexpr Two l12() const { return l1_ + l2_ - (e12_ + e12_); }
 
-  Two l0_, l1_, l2_, e01_, e02_, e12_;
-  std::array<std::array<Four, 4>, 4> g_{};
+  Two l0_, l1_, l2_, e01_, e02_, e12_;                              ///< e_i . e_j
+  Four g00_, g11_, g22_, g01_, g02_, g12_, g03_, g13_, g23_, g33_;  ///< n_i . n_j
 };
 
 using DoubleShape = Shape<double, double, double>;
