@@ -65,8 +65,8 @@ std::optional<int> exact_exponent(const Frame& frame) {
 /// The largest m * 2^p, m an integer in [64, 128), with covering_radius(BCC_0) m 2^p <= radius.
 Scaled largest_fitting(double radius) {
   Scaled best(radius / kQuarterSqrt5);
-  best.m = std::floor(best.m);
-  if (kQuarterSqrt5 * best.m > std::ldexp(radius, -best.e)) best.m -= 1;
+  best.m = std::floor(best.m) + 1;  // the quotient was rounded, either way
+  while (kQuarterSqrt5 * best.m > std::ldexp(radius, -best.e)) best.m -= 1;
   if (best.m < 64) best.m = 127, best.e -= 1;
   return best;
 }

@@ -128,6 +128,16 @@ TEST(World, FitsRandomJobs) {
   }
 }
 
+TEST(World, FitDecidesTheLastDigit) {
+  for (int m = 64; m < 128; ++m) {
+    const double radius = 0x1p-10 * m * covering_radius(0), below = std::nextafter(radius, 0);
+    const Box3 box = box_at({0, 0, 0}, {1, 1, 1});
+    int e = 0;
+    EXPECT_EQ(128 * std::frexp(World::fit(box, radius).unit(), &e), m);
+    EXPECT_EQ(128 * std::frexp(World::fit(box, below).unit(), &e), m == 64 ? 127 : m - 1);
+  }
+}
+
 TEST(World, UsesEveryIntegerNearTheOriginAndGivesUpNoMoreThanItMust) {
   const Box3 unit_box = box_at({0.5, 0.5, 0.5}, {1, 1, 1});
   const World plain = World::fit(unit_box, 0);
