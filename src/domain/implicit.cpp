@@ -38,8 +38,6 @@ Box3 common_part(const Box3& a, const Box3& b) {
   return box;
 }
 
-Vec3 centroid(const Tet& t) { return t[0] + 0.25 * ((t[1] - t[0]) + (t[2] - t[0]) + (t[3] - t[0])); }
-
 /// {f <= 0} within a box; where f is NaN is outside.
 class ImplicitDomain final : public Domain {
  public:
@@ -68,7 +66,7 @@ class ImplicitDomain final : public Domain {
 
   bool meets(const Tet& t) const override {
     if (!domain::interior_meets_box(t, bounds_)) return false;
-    if (contains(centroid(t))) return true;
+    if (contains(domain::centroid(t))) return true;
     const Box3 whole = common_part(bounding_box(t), bounds_);
     std::vector<Box3> pending{whole};
     for (int looked = 0; !pending.empty(); ++looked) {
@@ -97,7 +95,7 @@ class ImplicitDomain final : public Domain {
   /// rounding.
   double constant_sign_radius(const Vec3& p, double value) const {
     double best = 0;
-    for (double side = 0.25 * bounds_.diagonal(); side > best; side *= 0.25) {
+    for (double side = 0.5 * bounds_.diagonal(); side > best; side *= 0.25) {
       const geom::Dual f = f_.enclosure_over({p - Vec3{side, side, side}, p + Vec3{side, side, side}});
       if (f.value.may_be_nan) continue;
       const bool constant = value > 0 ? f.value.lo > 0 : f.value.hi <= 0;
@@ -107,7 +105,8 @@ class ImplicitDomain final : public Domain {
       if (radius > best) best = radius;
       if (side < 1e-9 * bounds_.diagonal()) break;
     }
-    return best * (1 - 1e-12);
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * norm(p);  // of the boxes' corners
+    return std::max(0.0, best * (1 - 1e-12) - rounding);
   }
 
   /// Breadth first where f may be <= 0, at centres.

@@ -102,12 +102,11 @@ class SideGrid::Filler {
   }
 
   void label(const Block& block) const {
-    const Side side = side_of(block);
-    if (side == Side::kUnknown) return label_halves(block);
+    const Cell cell = region_.is_closed() ? closed_cell(block) : open_cell(block);
+    if (cell.steps == 0) return label_halves(block);
     for (int z = block.first[2]; z < block.last[2]; ++z)
       for (int y = block.first[1]; y < block.last[1]; ++y)
-        for (int x = block.first[0]; x < block.last[0]; ++x)
-          grid_.cells_[grid_.at({x, y, z})] = static_cast<std::int8_t>(side);
+        for (int x = block.first[0]; x < block.last[0]; ++x) grid_.cells_[grid_.at({x, y, z})] = cell;
   }
 
   /// The winding number varies too much over the block: parts of it may yet be certain.
@@ -118,30 +117,40 @@ class SideGrid::Filler {
     label(high);
   }
 
-  Side side_of(const Block& block) const {
-    if (region_.is_closed()) {
-      const Side known = side_of_neighbour(block);
-      if (known != Side::kUnknown) return known;
-    }
-    const Vec3 low = corner(block.first), high = corner(block.last);
-    const Vec3 center = grid_.bounds_.lo + (0.5 * grid_.cell_) * (low + high);
-    const Side side = region_.side_around(center, (0.5 + kMargin) * grid_.cell_ * norm(high - low));
-    const bool beyond = !grid_.bounds_.contains(grid_.bounds_.lo + grid_.cell_ * high);
-    return side == Side::kInside && beyond ? Side::kUnknown : side;
+  Vec3 center_of(const Block& block) const {
+    return grid_.bounds_.lo + (0.5 * grid_.cell_) * (corner(block.first) + corner(block.last));
   }
 
-  /// Of a cell that shares a face with the block, both free of triangles: then both are on one side.
-  Side side_of_neighbour(const Block& block) const {
+  Cell open_cell(const Block& block) const {
+    const Vec3 high = corner(block.last);
+    const double diagonal = grid_.cell_ * norm(high - corner(block.first));
+    const Side side = region_.side_around(center_of(block), (0.5 + kMargin) * diagonal);
+    const bool beyond = !grid_.bounds_.contains(grid_.bounds_.lo + grid_.cell_ * high);
+    if (side == Side::kInside && beyond) return {};
+    return {static_cast<std::int8_t>(side), 0};
+  }
+
+  Cell closed_cell(const Block& block) const {
+    const Cell known = neighbour_of(block);
+    if (known.steps != 0) return known;
+    const double winding = region_.winding_number(center_of(block)), whole = std::round(winding);
+    if (std::abs(winding - whole) > 0.1 || std::abs(whole) > 100) return {};
+    return {static_cast<std::int8_t>(whole > 0 ? Side::kInside : Side::kOutside),
+            static_cast<std::int8_t>(whole)};
+  }
+
+  /// A decided cell that shares a face with the block. Both are free of triangles, and so alike.
+  Cell neighbour_of(const Block& block) const {
     for (int axis = 0; axis < 3; ++axis) {
       for (const int step : {block.first[axis] - 1, block.last[axis]}) {
         if (step < 0 || step >= grid_.count_[axis]) continue;
         Index next = block.first;
         next[axis] = step;
-        const std::int8_t value = grid_.cells_[grid_.at(next)];
-        if (value != 0) return static_cast<Side>(value);
+        const Cell& cell = grid_.cells_[grid_.at(next)];
+        if (cell.steps != 0) return cell;
       }
     }
-    return Side::kUnknown;
+    return {};
   }
 
   SideGrid& grid_;
@@ -150,10 +159,10 @@ class SideGrid::Filler {
 };
 
 SideGrid::SideGrid(const TriangleMesh& surface, const Box3& bounds, const SurfaceRegion& region)
-    : bounds_(bounds), cell_(cell_size(bounds, surface.triangles.size())) {
+    : region_(region), bounds_(bounds), cell_(cell_size(bounds, surface.triangles.size())) {
   for (int axis = 0; axis < 3; ++axis)
     count_[axis] = static_cast<int>(std::floor(bounds.size()[axis] / cell_)) + 1;
-  cells_.assign(at({0, 0, count_[2]}), 0);
+  cells_.assign(at({0, 0, count_[2]}), {});
   const Filler filler(*this, surface, region);
   filler.fill({{0, 0, 0}, count_}, filler.all());
   measure_steps();
@@ -161,19 +170,18 @@ SideGrid::SideGrid(const TriangleMesh& surface, const Box3& bounds, const Surfac
 
 /// Two sweeps of the chessboard metric: exact, for steps to any of 26 neighbours cost 1.
 void SideGrid::measure_steps() {
-  for (std::int8_t& cell : cells_) cell = static_cast<std::int8_t>(cell * kMostSteps);
+  for (Cell& cell : cells_) cell.steps = static_cast<std::int8_t>(cell.steps * kMostSteps);
   sweep(1);
   sweep(-1);
 }
 
 void SideGrid::sweep(int direction) {
   const auto steps = [&](const Index& i, bool inside) {
-    for (int axis = 0; axis < 3; ++axis)
-      if (i[axis] < 0 || i[axis] >= count_[axis]) return inside ? 0 : static_cast<int>(kMostSteps);
-    return std::abs(static_cast<int>(cells_[at(i)]));
+    if (!in_grid(i)) return inside ? 0 : static_cast<int>(kMostSteps);
+    return std::abs(static_cast<int>(cells_[at(i)].steps));
   };
   const auto visit = [&](const Index& i) {
-    std::int8_t& cell = cells_[at(i)];
+    std::int8_t& cell = cells_[at(i)].steps;
     if (cell == 0) return;
     const bool inside = cell < 0;
     int least = std::abs(static_cast<int>(cell));
@@ -203,15 +211,42 @@ double SideGrid::clearance(const Vec3& p) const {
     i[axis] = static_cast<int>(low);
     to_side = std::min({to_side, place[axis] - low, low + 1 - place[axis]});
   }
-  const int steps = cells_[at(i)];
+  const int steps = cells_[at(i)].steps;
   if (steps == 0) return 0;
   const double radius = cell_ * std::max(0.0, std::abs(steps) - 1 + to_side - kMargin);
   return steps < 0 ? -radius : radius;
 }
 
+/// The winding number at p by a straight way to cell i, if that is decided and the way is not ambiguous.
+std::optional<int> SideGrid::winding_by_way_of(const Index& i, const Vec3& p) const {
+  if (!in_grid(i) || cells_[at(i)].steps == 0) return std::nullopt;
+  // Off the centre in all coordinates, for surfaces that are aligned with the grid.
+  const Vec3 goal = bounds_.lo + cell_ * Vec3{i[0] + 0.5327, i[1] + 0.4459, i[2] + 0.5718};
+  const std::optional<int> gain = region_.tree().winding_gain(goal, p);
+  if (!gain) return std::nullopt;
+  return cells_[at(i)].winding + *gain;
+}
+
+bool SideGrid::holds(const Vec3& p) const {
+  const Vec3 place = in_cells(p);
+  const Index home{static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z)};
+  if (in_grid(home) && cells_[at(home)].steps != 0) return cells_[at(home)].steps < 0;
+  if (!region_.is_closed()) return region_.holds(p);
+  constexpr int kFarthest = 3;
+  for (int ring = 1; ring <= kFarthest; ++ring)
+    for (int z = -ring; z <= ring; ++z)
+      for (int y = -ring; y <= ring; ++y)
+        for (int x = -ring; x <= ring; ++x) {
+          if (std::max({std::abs(x), std::abs(y), std::abs(z)}) < ring) continue;
+          const auto winding = winding_by_way_of({home[0] + x, home[1] + y, home[2] + z}, p);
+          if (winding) return *winding > 0;
+        }
+  return region_.holds(p);
+}
+
 double SideGrid::inside_volume() const {
   double cells = 0;
-  for (const std::int8_t cell : cells_) cells += cell < 0 ? 1 : cell == 0 ? 0.5 : 0;
+  for (const Cell& cell : cells_) cells += cell.steps < 0 ? 1 : cell.steps == 0 ? 0.5 : 0;
   return cells * cell_ * cell_ * cell_;
 }
 

@@ -53,11 +53,7 @@ class SurfaceDomain final : public Domain {
 
   Box3 bounds() const override { return bounds_; }
 
-  bool contains(const Vec3& p) const override {
-    if (!bounds_.contains(p)) return false;
-    const double known = grid_.clearance(p);
-    return known != 0 ? known < 0 : region_.holds(p);
-  }
+  bool contains(const Vec3& p) const override { return bounds_.contains(p) && grid_.holds(p); }
 
   double clearance(const Vec3& p) const override {
     if (!bounds_.contains(p)) {
@@ -68,7 +64,7 @@ class SurfaceDomain final : public Domain {
     const double coarse = grid_.clearance(p);
     if (std::abs(coarse) > kCoarseSteps * grid_.cell()) return coarse;
     const double radius = region_.tree().clear_radius(p);
-    if (region_.is_closed() && coarse != 0) return std::copysign(radius, coarse);
+    if (region_.is_closed()) return grid_.holds(p) ? -radius : radius;
     const double fine = within_bounds(p, region_.clearance(p, radius));
     return std::abs(fine) > std::abs(coarse) ? fine : coarse;
   }
@@ -76,7 +72,7 @@ class SurfaceDomain final : public Domain {
   bool meets(const Tet& t) const override {
     if (!bounds_.overlaps(bounding_box(t))) return false;
     if (clean_ ? region_.tree().may_meet_interior(t) : region_.tree().may_meet(t)) return true;
-    if (region_.is_closed()) return holds_free(t);
+    if (region_.is_closed()) return contains(domain::centroid(t));  // any point of it would do
     return region_.may_hold_part_of(t) && domain::interior_meets_box(t, bounds_);
   }
 
@@ -85,15 +81,6 @@ class SurfaceDomain final : public Domain {
   std::vector<std::string> notes() const override { return notes_; }
 
  private:
-  /// Is t inside? No triangle meets its interior, so that any point of it tells.
-  bool holds_free(const Tet& t) const {
-    for (const Vec3& p : t) {
-      const double known = grid_.clearance(p);
-      if (known != 0) return known < 0;
-    }
-    return region_.may_hold_part_of(t);
-  }
-
   /// The region of an open surface ends at the bounds.
   double within_bounds(const Vec3& p, double clearance) const {
     return clearance < 0 ? std::max(clearance, -domain::depth_in_box(p, bounds_)) : clearance;

@@ -1,14 +1,12 @@
 #include "domain/surface_region.hpp"
 
+#include "domain/tet_box.hpp"
+
 namespace unsliver::domain {
 namespace {
 
 /// Twice the error of TriangleTree::winding_number: once here, once where `holds` was asked.
 constexpr double kWindingError = 2e-3;
-/// A tetrahedron that straddles the level 1/2 is cut into at most 2^6 pieces before it is kept for safety.
-constexpr int kMostSplits = 6;
-
-Vec3 centroid(const Tet& t) { return t[0] + 0.25 * ((t[1] - t[0]) + (t[2] - t[0]) + (t[3] - t[0])); }
 
 double radius_about(const Vec3& p, const Tet& t) {
   double radius_sq = 0;
@@ -33,23 +31,17 @@ std::array<Tet, 2> halves(const Tet& t) {
 
 Side SurfaceRegion::side_around(const Vec3& p, double radius) const {
   const double excess = tree_.winding_number(p) - 0.5;
-  const double change = is_closed() ? 0 : radius * rim_.gradient_bound(p, radius);
+  const double change = radius * rim_.gradient_bound(p, radius);
   if (!(std::abs(excess) > change + kWindingError)) return Side::kUnknown;
   return excess > 0 ? Side::kInside : Side::kOutside;
 }
 
 double SurfaceRegion::clearance(const Vec3& p, double radius) const {
   const double excess = tree_.winding_number(p) - 0.5;
-  if (!is_closed()) {
-    radius *= 0.5;
-    radius = std::min(radius, (std::abs(excess) - kWindingError) / rim_.gradient_bound(p, radius));
-  }
+  radius *= 0.5;
+  radius = std::min(radius, (std::abs(excess) - kWindingError) / rim_.gradient_bound(p, radius));
   if (!(radius > 0)) return 0;
   return excess > 0 ? -radius : radius;
-}
-
-bool SurfaceRegion::may_hold_part_of(const Tet& t) const {
-  return may_hold_part_of(t, is_closed() ? 0 : kMostSplits);
 }
 
 bool SurfaceRegion::may_hold_part_of(const Tet& t, int splits_left) const {

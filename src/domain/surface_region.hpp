@@ -21,18 +21,22 @@ class SurfaceRegion {
   /// The winding number is constant between the triangles.
   bool is_closed() const { return rim_.empty(); }
 
+  double winding_number(const Vec3& p) const { return tree_.winding_number(p); }
   bool holds(const Vec3& p) const { return tree_.winding_number(p) > 0.5; }
 
   /// The side of all points within `radius` of p that p sees: that a segment free of triangles joins to p.
   Side side_around(const Vec3& p, double radius) const;
 
-  /// Like Domain::clearance, given that no triangle is closer to p than `radius`.
+  /// Like Domain::clearance, of an open surface, given that no triangle is closer to p than `radius`.
   double clearance(const Vec3& p, double radius) const;
 
-  /// Could some point of t be in the region? No triangle meets the interior of t. False is certain.
-  bool may_hold_part_of(const Tet& t) const;
+  /// Could some point of t be in the region of an open surface? No triangle meets the interior of t.
+  /// False is certain.
+  bool may_hold_part_of(const Tet& t) const { return may_hold_part_of(t, kMostSplits); }
 
  private:
+  /// A tetrahedron that straddles the level 1/2 is cut into at most 2^6 pieces before it is kept for safety.
+  static constexpr int kMostSplits = 6;
   bool may_hold_part_of(const Tet& t, int splits_left) const;
 
   geom::TriangleTree tree_;

@@ -184,6 +184,16 @@ bool TetProbe::edges_separate(const Triangle& triangle) const {
   return false;
 }
 
+std::optional<int> winding_gain(const Triangle& t, const Vec3& p, const Vec3& q) {
+  const int from = exact_orient3d(t[0], t[1], t[2], p), to = exact_orient3d(t[0], t[1], t[2], q);
+  if (from * to > 0) return 0;
+  const int x = exact_orient3d(p, q, t[0], t[1]), y = exact_orient3d(p, q, t[1], t[2]),
+            z = exact_orient3d(p, q, t[2], t[0]);
+  if (!same_side(x, y, z)) return 0;
+  if (from == 0 || to == 0 || x == 0 || y == 0 || z == 0) return std::nullopt;
+  return from;
+}
+
 bool triangles_cross(const Triangle& s, const Triangle& t, int shared) {
   const Sides of_s = sides(t, s);
   if (of_s.all_off_one_side()) return false;

@@ -11,8 +11,8 @@ constexpr double kPi = 3.141592653589793;
 /// Below this height / longest edge a triangle's normal is too noisy: it is taken for its three edges.
 constexpr double kFlat = 1e-7;
 
-double longest_edge(const Triangle& t) {
-  return std::sqrt(std::max({dist_sq(t[0], t[1]), dist_sq(t[1], t[2]), dist_sq(t[2], t[0])}));
+double longest_edge_sq(const Triangle& t) {
+  return std::max({dist_sq(t[0], t[1]), dist_sq(t[1], t[2]), dist_sq(t[2], t[0])});
 }
 
 Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
@@ -54,7 +54,7 @@ double angle_of(double y, double x) {
 
 Vec3 closest_point(const Triangle& t, const Vec3& p) {
   const Vec3 normal = area_vector(t);
-  const double area_sq = norm_sq(normal), length = longest_edge(t), flat = kFlat * length * length;
+  const double area_sq = norm_sq(normal), flat = kFlat * longest_edge_sq(t);
   if (area_sq > flat * flat && projects_inside(t, normal, p))
     return p - (dot(p - t[0], normal) / area_sq) * normal;
   Vec3 best = closest_on_segment(t[0], t[1], p);
@@ -66,9 +66,9 @@ Vec3 closest_point(const Triangle& t, const Vec3& p) {
 }
 
 double closest_point_slack(const Triangle& t) {
-  const double length = longest_edge(t);
-  if (!(length > 0)) return 16 * kEpsilon;
-  const double flatness = norm(area_vector(t)) / (length * length);  // height / longest edge
+  const double length_sq = longest_edge_sq(t);
+  if (!(length_sq > 0)) return 16 * kEpsilon;
+  const double flatness = norm(area_vector(t)) / length_sq;  // height / longest edge
   // The normal's direction errs by a few epsilon / flatness; an edge's nearest point by a few epsilon.
   return 16 * kEpsilon + (flatness > kFlat ? 32 * kEpsilon / flatness : flatness);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "unsliver/types.hpp"
 
@@ -31,6 +32,10 @@ double closest_point_slack(const Triangle& t);
 /// from p), in [-1/2, 1/2]. Error below 1e-7 unless p is within rounding of the triangle's plane. Plain
 /// arithmetic: the same bits everywhere.
 double winding_of(const Triangle& t, const Vec3& p);
+
+/// How much a closed surface's winding number gains through t on the way from p to q: 1 if it goes through
+/// the front, -1 through the back, 0 if it misses. Exact; nothing where p, q or an edge makes it ambiguous.
+std::optional<int> winding_gain(const Triangle& t, const Vec3& p, const Vec3& q);
 
 /// A tetrahedron made ready to be compared with many triangles and boxes.
 class TetProbe {

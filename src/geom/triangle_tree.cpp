@@ -140,6 +140,22 @@ double TriangleTree::winding_number(const Vec3& p) const {
   return impl_->winding.at(p, impl_->tree, impl_->triangles);
 }
 
+std::optional<int> TriangleTree::winding_gain(const Vec3& p, const Vec3& q) const {
+  const Box3 path = bounding_box(Triangle{p, q, q});
+  int total = 0;
+  const bool ambiguous = impl_->tree.walk([&](const BoxTree::Node& node) { return node.box.overlaps(path); },
+                                          [&](std::uint32_t first, std::uint32_t count) {
+                                            for (std::uint32_t i = first; i < first + count; ++i) {
+                                              const auto gain = geom::winding_gain(impl_->triangles[i], p, q);
+                                              if (!gain) return true;
+                                              total += *gain;
+                                            }
+                                            return false;
+                                          });
+  if (ambiguous) return std::nullopt;
+  return total;
+}
+
 bool TriangleTree::may_meet(const Tet& t) const { return impl_->may_meet(t, TetProbe::Extent::kClosed); }
 
 bool TriangleTree::may_meet_interior(const Tet& t) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "unsliver/mesh.hpp"
@@ -35,6 +36,9 @@ class TriangleTree {
   double distance_lower_bound(const Box3& box) const;
   /// Generalized winding number at p (hierarchical; absolute error below 1e-3 away from the surface).
   double winding_number(const Vec3& p) const;
+  /// Of a surface whose edges all run equally often both ways: the winding number at q minus that at p, by
+  /// the triangles between them. Exact; nothing where the segment meets an edge, or p or q a triangle.
+  std::optional<int> winding_gain(const Vec3& p, const Vec3& q) const;
   /// Could some triangle meet the closed tetrahedron? False is certain; true may be wrong only within
   /// rounding.
   bool may_meet(const Tet& t) const;
