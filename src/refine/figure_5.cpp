@@ -78,8 +78,8 @@ void figure_5_literal(Refinement& r) {
   for (; !queue.empty(); queue.pop_front()) {
     const TetId t = queue.front().slot;
     if (!still_there(r, queue.front()) || !r.meets_domain(t)) continue;
-    if (const auto ball = sizes.find_empty_ball(t, 0))
-      insert_for_size(r, *ball, t, Strategy::kLiteral);
+    if (const auto ball = sizes.find_empty_ball(t))
+      sizes.insert_for(*ball, t);
     else if (r.is_bad(t))
       enforce_quality_literally(r, t);
     else

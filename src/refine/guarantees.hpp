@@ -25,7 +25,7 @@ inline constexpr double kSizeSlack = 1e-6;
 
 /// A point that triggers a size insertion lies within kWitnessSlack s of the domain (section 5 of the design:
 /// cells smaller than this that still meet the domain count as if their centre did).
-inline constexpr double kWitnessSlack = 0.02;
+inline constexpr double kWitnessSlack = 0.1;
 
 /// The constant c of Definition 2 for which (1) survives a size insertion: the new vertex lies within
 /// r(level) of p and the next coarser level does not fit, so lfs <= c s + kWitnessSlack s + r(level) must

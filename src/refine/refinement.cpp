@@ -115,18 +115,22 @@ double Refinement::size_lower_bound(const Box3& box) const {
   return std::min(size_cap_, sizing_.lower_bound(in_caller) / world_.unit());
 }
 
+std::optional<double> Refinement::size_if_defined(const Vec3& p) const {
+  if (constant_size_ > 0) return constant_size_;
+  if (!caller_bounds_.contains(world_.to_caller(p))) return std::nullopt;
+  try {
+    return size_at(p);
+  } catch (const Error&) {
+    return std::nullopt;  // outside the domain a size may be anything: where it matters size_at reports it
+  }
+}
+
 std::optional<double> Refinement::size_at_vertex(VertexId v) {
   if (constant_size_ > 0) return constant_size_;
   float& size = sizes_[v];
   if (std::isnan(size)) {
-    size = kUndefined;
-    if (caller_bounds_.contains(world_.to_caller(mesh_.point(v)))) {
-      try {
-        size = rounded_down(size_at(mesh_.point(v)));
-      } catch (const Error&) {
-        // Outside the domain a size may be anything: it is not asked for there.
-      }
-    }
+    const auto defined = size_if_defined(mesh_.point(v));
+    size = defined ? rounded_down(*defined) : kUndefined;
   }
   if (size < 0) return std::nullopt;
   return size;

@@ -39,6 +39,7 @@ class Refinement {
   const lattice::World& world() const { return world_; }
   const Domain& domain() const { return domain_; }
   const exact::QualityBounds& bounds() const { return bounds_; }
+  Strategy strategy() const { return options_.strategy; }
   MeshStats& stats() { return stats_; }
 
   Level label(VertexId v) const { return labels_[v]; }
@@ -51,6 +52,10 @@ class Refinement {
   bool meets_domain(TetId t);
   bool meets_domain(const Tet& world_tet) const;
   bool contains(const Vec3& p) const { return domain_.contains(world_.to_caller(p)); }
+  /// See Domain::clearance.
+  double clearance(const Vec3& p) const {
+    return domain_.clearance(world_.to_caller(p)) / world_.unit() * (1 - 1e-12);
+  }
   /// Dihedral angle or radius-edge ratio out of bounds, decided exactly.
   bool is_bad(TetId t) { return exact::is_bad(mesh_.corners(t), bounds_, quality_counts_); }
 
@@ -58,7 +63,9 @@ class Refinement {
   double size_at(const Vec3& p) const;
   /// A lower bound of s over the part of the box inside the domain's bounds; infinity if there is none.
   double size_lower_bound(const Box3& box) const;
-  /// s at a vertex, or nothing where s need not be defined (outside the domain's bounds) or fails.
+  /// s at p, or nothing where s need not be defined (outside the domain's bounds) or fails.
+  std::optional<double> size_if_defined(const Vec3& p) const;
+  /// The same at a vertex, remembered.
   std::optional<double> size_at_vertex(VertexId v);
   /// |s(p) - s(q)| <= lipschitz() |p - q| inside the domain's bounds; may be infinite.
   double lipschitz() const { return lipschitz_; }

@@ -33,88 +33,149 @@ double longest_edge(const Tet& cell, int& a, int& b) {
   return std::sqrt(longest_sq);
 }
 
+double longest_edge(const Tet& cell) {
+  int a, b;
+  return longest_edge(cell, a, b);
+}
+
 Vec3 centroid(const Tet& t) { return 0.25 * ((t[0] + t[1]) + (t[2] + t[3])); }
+/// A lower bound of the distance from x to the tetrahedron: how far its corners are along the direction of
+/// its centroid.
+double distance_lower_bound(const Tet& cell, const Vec3& x) {
+  const Vec3 direction = centroid(cell) - x;
+  const double length = norm(direction);
+  if (length == 0) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& corner : cell) least = std::min(least, dot(corner - x, direction));
+  return std::max(0.0, least / length * (1 - kRounding));
+}
+
 Vec3 rounded(const Vec3& p) { return {std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)}; }
 
 }  // namespace
 
-/// Every point of a tetrahedron has a corner v within the circumradius R, so R (1 + L) <= s(v) for all four
-/// corners suffices.
-bool SizeEnforcement::surely_covered(TetId t, double floor) {
-  const Tet corners = r_.mesh().corners(t);
-  const double radius_sq = geom::circumsphere(corners).radius_sq * (1 + kRounding);
-  const double least = std::max(floor, r_.smallest_size());
-  if (radius_sq <= least * least) return true;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (VertexId v : r_.mesh().tet(t).v) smallest = std::min(smallest, r_.size_at_vertex(v).value_or(0));
-  const double reach = std::max(smallest, floor) / (1 + r_.lipschitz());
-  return radius_sq <= reach * reach;
+/// What the circumsphere alone says. With c the circumcentre, R the circumradius and p in t at distance d
+/// from c, some corner is within sqrt(R^2 - d^2) of p: the mean of the squared distances to the corners,
+/// weighted by p's barycentric coordinates, is exactly R^2 - d^2. And s(p) >= s(c) - L d, so that R sqrt(1 +
+/// L^2) <= s(c) covers all of t.
+SizeEnforcement::Verdict SizeEnforcement::judge_circumsphere(TetId t) {
+  sphere_ = geom::circumsphere(r_.mesh().corners(t));
+  const double radius = std::sqrt(sphere_.radius_sq) * (1 + kRounding);
+  double least = std::max(floor_, r_.smallest_size());
+  if (radius <= least) return Verdict::kCovered;
+  const double lipschitz = r_.lipschitz();
+  center_size_ = r_.size_if_defined(sphere_.center);
+  if (center_size_) {
+    center_size_ = std::max(floor_, *center_size_);
+    if (radius * std::sqrt(1 + lipschitz * lipschitz) <= *center_size_) return Verdict::kCovered;
+    if (std::isfinite(lipschitz)) least = std::max(least, *center_size_ - lipschitz * radius);
+  }
+  if (!r_.meets_domain(t)) return Verdict::kCovered;
+  // Only points nearer to c than `reach` can be uncovered.
+  const double reach = std::sqrt(std::max(0.0, radius * radius - least * least));
+  clearance_ = r_.clearance(sphere_.center);
+  return clearance_ > reach ? Verdict::kCovered : Verdict::kOpen;
 }
 
-SizeEnforcement::Verdict SizeEnforcement::judge(const Cell& cell, double floor) const {
-  const double bound = std::max(floor, r_.size_lower_bound(bounding_box(cell)));
+/// The ball about the circumcentre itself is empty by the Delaunay property: no search is needed when it is
+/// in the domain and too large.
+std::optional<EmptyBall> SizeEnforcement::try_circumcenter() const {
+  if (!center_size_ || clearance_ > 0 || (clearance_ == 0 && !r_.contains(sphere_.center)))
+    return std::nullopt;
+  if (std::sqrt(sphere_.radius_sq) * (1 - kRounding) - 2 <= (1 - kSizeSlack) * *center_size_)
+    return std::nullopt;
+  return EmptyBall{rounded(sphere_.center), *center_size_};
+}
+
+/// A cell is covered if one vertex reaches all of it, or if it keeps away from the circumcentre (see
+/// judge_circumsphere).
+SizeEnforcement::Verdict SizeEnforcement::judge(const Cell& cell) const {
+  double nearest = std::numeric_limits<double>::infinity(), size = std::max(floor_, r_.smallest_size());
   for (const Listed& v : vertices_) {
     const double farthest = farthest_corner(cell, v.position);
-    if (farthest <= std::max(bound, v.size / (1 + r_.lipschitz()))) return Verdict::kCovered;
+    nearest = std::min(nearest, farthest);
+    size = std::max(size, v.size - r_.lipschitz() * farthest);
   }
-  return Verdict::kOpen;
+  if (covers(cell, nearest, size)) return Verdict::kCovered;
+  if (r_.constant_size() > 0) return Verdict::kOpen;
+  size = std::max(floor_, r_.size_lower_bound(bounding_box(cell)));
+  return covers(cell, nearest, size) ? Verdict::kCovered : Verdict::kOpen;
+}
+
+bool SizeEnforcement::covers(const Cell& cell, double nearest, double size) const {
+  if (nearest <= size) return true;
+  const double away = distance_lower_bound(cell, sphere_.center);
+  return away * away > sphere_.radius_sq * (1 + kRounding) - size * size;
 }
 
 void SizeEnforcement::list_vertex(VertexId v) {
   vertices_.push_back({r_.mesh().point(v), r_.size_at_vertex(v).value_or(-1)});
 }
 
-/// Is the ball about p (rounded) empty? A vertex found inside joins the list, so that it is not found again.
-std::optional<EmptyBall> SizeEnforcement::try_center(const Vec3& p, double floor, TetId t) {
-  const Vec3 q = rounded(p);
-  const double size = std::max(floor, r_.size_at(q));
-  const double radius_sq = (1 - kSizeSlack) * (1 - kSizeSlack) * size * size;
+/// Is the ball of `share` times the size about q empty? The nearest vertex joins the list: it is the best
+/// witness that the cell is covered.
+std::optional<EmptyBall> SizeEnforcement::try_center(const Vec3& q, double share, TetId t) {
+  const auto defined = r_.contains(q) ? r_.size_at(q) : r_.size_if_defined(q);
+  if (!defined) return std::nullopt;
+  const double size = std::max(floor_, *defined);
+  const double radius_sq = share * share * size * size;
   for (const Listed& v : vertices_)
     if (dist_sq(v.position, q) <= radius_sq) return std::nullopt;
   const VertexId nearest = r_.nearest_vertex(q, t);
-  if (dist_sq(r_.mesh().point(nearest), q) <= radius_sq) {
-    list_vertex(nearest);
-    return std::nullopt;
-  }
+  list_vertex(nearest);
+  if (dist_sq(r_.mesh().point(nearest), q) <= radius_sq) return std::nullopt;
   return EmptyBall{q, size};
 }
 
-/// Tries the cell's centre and corners; a small cell that meets the domain counts as if its centre did.
-std::optional<EmptyBall> SizeEnforcement::probe(const Cell& cell, double floor, TetId t) {
-  const Vec3 middle = centroid(cell);
-  int a, b;
-  const double diameter = longest_edge(cell, a, b);
-  const double scale = std::max(floor, r_.smallest_size());
-  if (diameter <= kWitnessSlack * scale) return try_center(middle, floor, t);
-  for (const Vec3& p : {middle, cell[0], cell[1], cell[2], cell[3]})
-    if (r_.contains(rounded(p)))
-      if (auto ball = try_center(p, floor, t)) return ball;
+/// A small cell that meets the domain, but cannot be shown to be covered, counts as if its centre were in the
+/// domain and its ball empty: at worst a vertex is inserted that was not needed yet. If that vertex is there
+/// already, it joins the list.
+std::optional<EmptyBall> SizeEnforcement::give_up(const Vec3& q, TetId t) {
+  const auto ball = try_center(q, 1 - 2 * kWitnessSlack, t);
+  if (!ball) return std::nullopt;
+  const Vec3 w = lattice::nearest(fitting_level(*ball), ball->center);
+  const VertexId existing = r_.mesh().corner_at(r_.mesh().locate(w, t), w);
+  if (existing == kNoVertex) return ball;
+  list_vertex(existing);
   return std::nullopt;
 }
 
-std::optional<EmptyBall> SizeEnforcement::find_empty_ball(TetId t, double floor) {
-  if (surely_covered(t, floor) || !r_.meets_domain(t)) return std::nullopt;
-  const Tet corners = r_.mesh().corners(t);
+std::optional<EmptyBall> SizeEnforcement::probe(const Cell& cell, TetId t) {
+  const Vec3 q = rounded(centroid(cell));
+  const double least = std::max(floor_, r_.smallest_size());
+  if (longest_edge(cell) <= kWitnessSlack * least) return give_up(q, t);
+  double nearest_sq = std::numeric_limits<double>::infinity();
+  for (const Listed& v : vertices_) nearest_sq = std::min(nearest_sq, dist_sq(v.position, q));
+  if (nearest_sq <= (1 - kSizeSlack) * (1 - kSizeSlack) * least * least || !r_.contains(q))
+    return std::nullopt;
+  return try_center(q, 1 - kSizeSlack, t);
+}
+
+std::optional<EmptyBall> SizeEnforcement::find_empty_ball(TetId t) {
+  if (judge_circumsphere(t) == Verdict::kCovered) return std::nullopt;
+  if (auto ball = try_circumcenter()) return ball;
   vertices_.clear();
   for (VertexId v : r_.mesh().tet(t).v) list_vertex(v);
-  open_.assign(1, corners);
+  open_.assign(1, r_.mesh().corners(t));
   while (!open_.empty()) {
     const Cell cell = open_.back();
     open_.pop_back();
-    if (judge(cell, floor) == Verdict::kCovered) continue;
-    if (!r_.meets_domain(cell)) continue;
-    if (auto ball = probe(cell, floor, t)) return ball;
-    int a, b;
-    if (longest_edge(cell, a, b) <= 2) continue;  // below the resolution of the world nothing is left to find
-    const Vec3 middle = 0.5 * (cell[a] + cell[b]);
-    Cell half = cell;
-    half[a] = middle;
-    open_.push_back(half);
-    half = cell;
-    half[b] = middle;
-    open_.push_back(half);
+    if (judge(cell) == Verdict::kCovered || !r_.meets_domain(cell)) continue;
+    if (auto ball = probe(cell, t)) return ball;
+    split(cell);
   }
   return std::nullopt;
+}
+
+void SizeEnforcement::split(const Cell& cell) {
+  int a, b;
+  if (longest_edge(cell, a, b) <= 2) return;  // below the resolution of the world nothing is left to find
+  const Vec3 middle = 0.5 * (cell[a] + cell[b]);
+  for (const int replaced : {a, b}) {
+    Cell half = cell;
+    half[replaced] = middle;
+    open_.push_back(half);
+  }
 }
 
 namespace {
@@ -132,11 +193,6 @@ namespace {
   throw error;
 }
 
-Level simple_cubic_within(double radius) {
-  const Level level = lattice::coarsest_within(radius);
-  return lattice::is_bcc(level) ? level - 1 : level;
-}
-
 /// "By Lemma 3 there exists a point w of SC_j in B": the first in lexicographic order.
 Vec3 first_in_ball(Level level, const Vec3& center) {
   std::vector<Vec3> points;
@@ -146,47 +202,47 @@ Vec3 first_in_ball(Level level, const Vec3& center) {
 
 }  // namespace
 
-void insert_for_size(Refinement& r, const EmptyBall& ball, TetId near, Strategy strategy) {
-  const double radius = (1 - kSizeSlack) * ball.size * (1 + 1e-12);
-  const bool literal = strategy == Strategy::kLiteral;
-  const Level level = literal ? simple_cubic_within(radius) : lattice::coarsest_within(radius);
-  if (level < r.world().finest_level()) refuse_tiny_size(r, ball);
+Level SizeEnforcement::fitting_level(const EmptyBall& ball) const {
+  const Level level = lattice::coarsest_within((1 - kSizeSlack) * ball.size * (1 + 1e-12));
+  const bool literal = r_.strategy() == Strategy::kLiteral;
+  return literal && lattice::is_bcc(level) ? level - 1 : level;
+}
+
+void SizeEnforcement::insert_for(const EmptyBall& ball, TetId near) {
+  const bool literal = r_.strategy() == Strategy::kLiteral;
+  const Level level = fitting_level(ball);
+  if (level < r_.world().finest_level()) refuse_tiny_size(r_, ball);
   const Vec3 w = literal ? first_in_ball(level, ball.center) : lattice::nearest(level, ball.center);
   const double c = literal ? kFigure5LiteralC : kFigure5ThriftyC;
   const Level label = literal ? level : lattice::canonical_level(w);
   const double lfs_bound = (c + kWitnessSlack) * ball.size + dist(w, ball.center);
-  r.insert(w, label, lfs_bound, near);
-  ++r.stats().size_insertions;
+  r_.insert(w, label, lfs_bound, near);
+  ++r_.stats().size_insertions;
 }
-
-namespace {
 
 /// One round: all tetrahedra in storage order, the new ones of each neighbourhood at once.
-void enforce_size_floor(Refinement& r, SizeEnforcement& search, double floor) {
+void SizeEnforcement::sweep(double floor) {
+  floor_ = floor;
   std::vector<TetId> pending;
-  const std::size_t slots = r.mesh().slot_count();
-  for (TetId t = 0; t < slots; ++t) {
-    pending.assign(1, t);
-    while (!pending.empty()) {
-      const TetId next = pending.back();
+  const std::size_t slots = r_.mesh().slot_count();
+  for (TetId first = 0; first < slots; ++first)
+    for (pending.assign(1, first); !pending.empty();) {
+      const TetId t = pending.back();
       pending.pop_back();
-      if (!r.mesh().is_finite(next)) continue;
-      const auto ball = search.find_empty_ball(next, floor);
+      if (!r_.mesh().is_finite(t)) continue;
+      const auto ball = find_empty_ball(t);
       if (!ball) continue;
-      insert_for_size(r, *ball, next, Strategy::kThrifty);
-      pending.insert(pending.end(), r.created().begin(), r.created().end());
+      insert_for(*ball, t);
+      pending.insert(pending.end(), r_.created().begin(), r_.created().end());
     }
-  }
 }
 
-}  // namespace
-
 void enforce_size(Refinement& r) {
-  SizeEnforcement search(r);
+  SizeEnforcement enforcement(r);
   double floor = r.smallest_size();
   while (floor < r.largest_size()) floor *= 2;
-  for (; floor > r.smallest_size(); floor /= 2) enforce_size_floor(r, search, floor);
-  enforce_size_floor(r, search, 0);
+  for (; floor > r.smallest_size(); floor /= 2) enforcement.sweep(floor);
+  enforcement.sweep(0);
 }
 
 }  // namespace unsliver::refine

@@ -24,39 +24,49 @@ class SizeEnforcement {
  public:
   explicit SizeEnforcement(Refinement& refinement) : r_(refinement) {}
 
-  /// An empty ball of the sizing function max(s, floor) about a point of t, if there is one. Sound: nothing
-  /// is returned only if every p of t in the domain has a vertex within max(s(p), floor).
-  std::optional<EmptyBall> find_empty_ball(TetId t, double floor);
+  /// An empty ball about a point of t, if there is one. Sound: nothing is returned only if every p of t in
+  /// the domain has a vertex within s(p).
+  std::optional<EmptyBall> find_empty_ball(TetId t);
+
+  /// Inserts a vertex w within r(level) of the ball's centre. Literal: the first point of SC_j found in B, j
+  /// the largest with r(SC_j) <= s(p). Thrifty: the nearest point of the coarsest level, SC or BCC, that
+  /// fits.
+  void insert_for(const EmptyBall& ball, TetId near);
+
+  /// Thrifty: inserts until every ball B(p, max(s(p), floor)), p in the domain, holds a vertex.
+  void sweep(double floor);
 
  private:
   using Cell = Tet;
   enum class Verdict { kCovered, kOpen };
-
-  bool surely_covered(TetId t, double floor);
-  Verdict judge(const Cell& cell, double floor) const;
-  std::optional<EmptyBall> probe(const Cell& cell, double floor, TetId t);
-  std::optional<EmptyBall> try_center(const Vec3& p, double floor, TetId t);
-  void list_vertex(VertexId v);
-
   struct Listed {
     Vec3 position;
     double size;  ///< s there, negative when not defined
   };
 
+  Verdict judge_circumsphere(TetId t);
+  std::optional<EmptyBall> try_circumcenter() const;
+  Verdict judge(const Cell& cell) const;
+  bool covers(const Cell& cell, double nearest, double size) const;
+  void split(const Cell& cell);
+  std::optional<EmptyBall> probe(const Cell& cell, TetId t);
+  std::optional<EmptyBall> try_center(const Vec3& q, double share, TetId t);
+  std::optional<EmptyBall> give_up(const Vec3& q, TetId t);
+  void list_vertex(VertexId v);
+  Level fitting_level(const EmptyBall& ball) const;
+
   Refinement& r_;
+  double floor_ = 0;
+  geom::Sphere sphere_;                ///< of the tetrahedron that is searched
+  std::optional<double> center_size_;  ///< s at its circumcentre
+  double clearance_ = 0;               ///< of its circumcentre
   std::vector<Cell> open_;
   std::vector<Listed> vertices_;  ///< t's corners and other vertices found nearby
 };
 
-/// Thrifty: inserts until every ball B(p, s(p)), p in the domain, holds a vertex. Works through sizes max(s,
-/// 2^i floor), i falling, so that points come in rounds of growing density; each round walks the tetrahedra
-/// in storage order and finishes each neighbourhood before it moves on. Inserts from the coarsest level, SC
-/// or BCC, that fits.
+/// Thrifty size enforcement: sweeps with falling floors, so that points come in rounds of growing density and
+/// the tetrahedralization is never far from uniform; each sweep walks the tetrahedra in storage order and
+/// finishes each neighbourhood before it moves on.
 void enforce_size(Refinement& refinement);
-
-/// The paper's choice: a point of SC_j within r(SC_j) of p, j the largest with r(SC_j) <= s(p).
-/// `first_found` takes the lexicographically first point of SC_j in the ball, else the nearest of the
-/// coarsest level that fits.
-void insert_for_size(Refinement& refinement, const EmptyBall& ball, TetId near, Strategy strategy);
 
 }  // namespace unsliver::refine
