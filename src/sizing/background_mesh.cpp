@@ -1,0 +1,114 @@
+#include "sizing/background_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace unsliver::sizing {
+namespace {
+
+constexpr double kFlat = 1e-9;
+
+using Corners = std::array<VertexId, 3>;
+
+struct Face {
+  Corners sorted;
+  Corners outward;
+};
+
+Face face_of(const TetMesh& mesh, const std::array<VertexId, 4>& tet, int opposite) {
+  Corners f;
+  for (int i = 0, n = 0; i < 4; ++i)
+    if (i != opposite) f[n++] = tet[i];
+  const Vec3 &a = mesh.points[f[0]], &b = mesh.points[f[1]], &c = mesh.points[f[2]];
+  if (dot(cross(b - a, c - a), mesh.points[tet[opposite]] - a) > 0) std::swap(f[1], f[2]);
+  Face face{f, f};
+  std::sort(face.sorted.begin(), face.sorted.end());
+  return face;
+}
+
+/// An edge of a triangle: its ends in increasing order, and where it comes from.
+struct Edge {
+  std::array<VertexId, 2> ends;
+  std::uint32_t triangle;
+  VertexId opposite;
+};
+
+std::vector<Edge> sorted_edges(const TriangleMesh& surface) {
+  std::vector<Edge> edges;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const Corners& v = surface.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = v[i], b = v[(i + 1) % 3];
+      edges.push_back({{std::min(a, b), std::max(a, b)}, t, v[(i + 2) % 3]});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
+  });
+  return edges;
+}
+
+bool bends_inwards(const TriangleMesh& surface, const Edge& edge, const Edge& other, double tolerance) {
+  const Corners& v = surface.triangles[edge.triangle];
+  const Vec3& a = surface.points[v[0]];
+  const Vec3 normal = cross(surface.points[v[1]] - a, surface.points[v[2]] - a);
+  return dot(normal, surface.points[other.opposite] - a) > tolerance * norm(normal);
+}
+
+class Components {
+ public:
+  explicit Components(std::size_t n) : parent_(n), count_(n) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a), b = root(b);
+    if (a == b) return;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --count_;
+  }
+  std::size_t count() const { return count_; }
+
+ private:
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<std::uint32_t> parent_;
+  std::size_t count_;
+};
+
+}  // namespace
+
+TriangleMesh boundary_of(const TetMesh& mesh) {
+  std::vector<Face> faces;
+  faces.reserve(4 * mesh.tets.size());
+  for (const auto& tet : mesh.tets)
+    for (int i = 0; i < 4; ++i) faces.push_back(face_of(mesh, tet, i));
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
+  TriangleMesh boundary;
+  boundary.points = mesh.points;
+  for (std::size_t i = 0, next; i < faces.size(); i = next) {
+    for (next = i + 1; next < faces.size() && faces[next].sorted == faces[i].sorted;) ++next;
+    if (next == i + 1) boundary.triangles.push_back(faces[i].outward);
+  }
+  return boundary;
+}
+
+bool is_convex(const TriangleMesh& boundary) {
+  Box3 box;
+  for (const Corners& t : boundary.triangles)
+    for (VertexId v : t) box.extend(boundary.points[v]);
+  const double tolerance = kFlat * box.diagonal();
+  const std::vector<Edge> edges = sorted_edges(boundary);
+  Components components(boundary.triangles.size());
+  for (std::size_t i = 0; i < edges.size(); i += 2) {
+    const bool is_pair = i + 1 < edges.size() && edges[i].ends == edges[i + 1].ends;
+    const bool is_shared = i + 2 < edges.size() && edges[i].ends == edges[i + 2].ends;
+    if (!is_pair || is_shared || bends_inwards(boundary, edges[i], edges[i + 1], tolerance)) return false;
+    components.join(edges[i].triangle, edges[i + 1].triangle);
+  }
+  return components.count() == 1;
+}
+
+}  // namespace unsliver::sizing
