@@ -138,7 +138,7 @@ TEST(QualitySigns, AtABoundIsGoodAndOneUnitBeyondIsBad) {
     const AtBounds at = at_bounds(small, bounds, counts);
     if ((!at.min_angle && !at.max_angle && !at.ratio) || is_bad(small, bounds, counts)) continue;
     seen.min_angle += at.min_angle, seen.max_angle += at.max_angle, seen.ratio += at.ratio;
-    for (double factor : {1000003.0, 0x1p44 - 1}) {
+    for (double factor : {53.0, 101.0, 131.0, 1000003.0, 0x1p44 - 1}) {
       Tet t = scaled(small, factor);
       ASSERT_FALSE(is_bad(t, bounds, counts));
       for (int n = 0; n < 24; ++n) {
