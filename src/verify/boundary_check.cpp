@@ -47,7 +47,7 @@ void check_boundary(const Context& c, const std::vector<std::array<VertexId, 3>>
     ++edge_count;
     pinched += end - i > 2;
     if (balance == 0) continue;
-    const auto [a, b, direction] = edges[i];
+    const VertexId a = edges[i].low, b = edges[i].high;
     c.reporter.find("boundary", {a, b}, [&] {
       return "the boundary is not closed at edge " + std::to_string(a) + " " + std::to_string(b) + " from " +
              full(c.mesh.points[a]) + " to " + full(c.mesh.points[b]);

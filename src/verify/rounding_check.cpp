@@ -1,6 +1,7 @@
 #include "verify/rounding_check.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "verify/judge.hpp"
 #include "verify/orientation.hpp"
@@ -20,7 +21,8 @@ void add_angles(const Tet& t, AngleRange& range) {
   }
   const Shape<double> s = make_shape(edge);
   for (const FacePair& f : kFacePairs) {
-    const double angle = std::atan2(s.det * std::sqrt(edge_sq(s, f)), cosine_part(s, f)) * (180 / M_PI);
+    const double angle =
+        std::atan2(s.det * std::sqrt(edge_sq(s, f)), cosine_part(s, f)) * (180 / std::numbers::pi);
     range.min_deg = std::min(range.min_deg, angle);
     range.max_deg = std::max(range.max_deg, angle);
   }

@@ -26,7 +26,7 @@ struct BccOptions {
 inline TetMesh bcc_mesh(const BccOptions& o = {}) {
   TetMesh mesh;
   if (o.frame) mesh.frame = Frame{o.unit, o.origin};
-  const auto [nx, ny, nz] = o.cells;
+  const int nx = o.cells[0], ny = o.cells[1], nz = o.cells[2];
   const auto half = std::int64_t{1} << (o.k - 1);
   std::vector<VertexId> corner_ids(std::size_t(nx + 1) * (ny + 1) * (nz + 1), kNoVertex);
   std::vector<VertexId> center_ids(std::size_t(nx) * ny * nz, kNoVertex);
@@ -76,9 +76,9 @@ inline TetMesh bcc_mesh(const BccOptions& o = {}) {
 inline TetMesh kuhn_mesh(const BccOptions& o = {}) {
   TetMesh mesh;
   if (o.frame) mesh.frame = Frame{o.unit, o.origin};
-  const auto [nx, ny, nz] = o.cells;
+  const int nx = o.cells[0], ny = o.cells[1], nz = o.cells[2];
   const auto side = std::int64_t{1} << o.k;
-  const auto id = [&, ny = ny, nz = nz](const std::array<int, 3>& c) {
+  const auto id = [&](const std::array<int, 3>& c) {
     return VertexId((c[0] * (ny + 1) + c[1]) * (nz + 1) + c[2]);
   };
   const auto add_cell = [&](const std::array<int, 3>& cell) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "bcc_mesh.hpp"
@@ -257,7 +258,7 @@ TEST(Exact, OtherAnglesAreSeparatedFromTheNextDoubles) {
     for (const auto& f : verifier::kFacePairs) most = std::max(most, slow_cos_sq(p, f.k, f.l, f.i, f.j));
     const double cosine = std::copysign(std::sqrt(abs(most).convert_to<double>()), most.convert_to<double>());
     const double deg = verify(mesh, {}).min_dihedral_deg;
-    EXPECT_NEAR(std::cos(deg / 180 * M_PI), cosine, 1e-15);
+    EXPECT_NEAR(std::cos(deg / 180 * std::numbers::pi), cosine, 1e-15);
     EXPECT_TRUE(verify(mesh, guaranteed(deg * (1 - 1e-15), 180, INFINITY)).ok) << deg;
     EXPECT_FALSE(verify(mesh, guaranteed(deg * (1 + 1e-15), 180, INFINITY)).ok) << deg;
   }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "bcc_mesh.hpp"
@@ -143,7 +144,7 @@ TEST(Report, ExtremeScalesAreMeasured) {
     mesh.points.push_back({s * 0x1p-100, 0, 0});  // keeps the positions from being integers
     const VerifyReport r = verify(mesh, guaranteed());
     EXPECT_TRUE(r.ok) << text(r);
-    EXPECT_NEAR(r.min_dihedral_deg, std::acos(1 / std::sqrt(3)) * 180 / M_PI, 1e-13);
+    EXPECT_NEAR(r.min_dihedral_deg, std::acos(1 / std::sqrt(3)) * 180 / std::numbers::pi, 1e-13);
     EXPECT_EQ(r.max_dihedral_deg, 90);
   }
 }
