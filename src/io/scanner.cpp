@@ -158,7 +158,8 @@ std::string_view Scanner::take(std::size_t size, std::string_view what) {
 std::size_t Scanner::require_room(std::int64_t rows, std::size_t bytes_each, std::string_view what) const {
   if (rows < 0) fail_here(ErrorCode::kFormat, fmt::format("the number of {} is {}", what, rows));
   // The last row of a text may lack its line end.
-  if (static_cast<std::uint64_t>(rows) > (bytes_left() + 1) / bytes_each)
+  const std::size_t room = bytes_left() + (binary_ ? 0 : 1);
+  if (static_cast<std::uint64_t>(rows) > room / bytes_each)
     fail_here(ErrorCode::kFormat,
               fmt::format("{} {} are declared, but only {} bytes follow; the file is truncated or damaged",
                           rows, what, bytes_left()));

@@ -1,9 +1,11 @@
 #include "io/vtu_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "io/base64.hpp"
 #include "io/fail.hpp"
@@ -50,24 +52,32 @@ class HeaderReader {
   std::string_view bytes_;
 };
 
+// Size of all blocks together; every one but the last has the full size.
+std::optional<std::uint64_t> decompressed_size(std::uint64_t count, std::uint64_t block_size,
+                                               std::uint64_t last_size, std::uint64_t most) {
+  const std::uint64_t last = last_size == 0 ? block_size : last_size;
+  if (last > most || last > block_size) return std::nullopt;
+  if (count > 1 && block_size > (most - last) / (count - 1)) return std::nullopt;
+  return block_size * (count - 1) + last;
+}
+
 std::string decompressed(const VtuDocument& document, const VtuArray& array, std::string_view bytes) {
   HeaderReader reader(document, array, bytes);
   const std::uint64_t count = reader.next();
   const std::uint64_t block_size = reader.next();
   const std::uint64_t last_size = reader.next();
   if (count == 0) return {};
-  const std::uint64_t room = kMaxZlibRatio * reader.bytes_left();
-  if (count > reader.bytes_left() / document.header_size || block_size > room || last_size > block_size ||
-      (count - 1) > room / std::max<std::uint64_t>(block_size, 1))
+  const auto size = decompressed_size(count, block_size, last_size, kMaxZlibRatio * reader.bytes_left());
+  if (!size || count > reader.bytes_left() / document.header_size)
     fail_damaged(document, array, "it declares more data than the file can hold");
 
   std::vector<std::uint64_t> stream_sizes(count);
   for (std::uint64_t& size : stream_sizes) size = reader.next();
-  std::string data(block_size * (count - 1) + (last_size == 0 ? block_size : last_size), '\0');
+  std::string data(*size, '\0');
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t begin = i * block_size;
-    const std::uint64_t size = std::min<std::uint64_t>(block_size, data.size() - begin);
-    if (!decompress_block(reader.take(stream_sizes[i]), data.data() + begin, size))
+    const std::uint64_t wanted = std::min<std::uint64_t>(block_size, data.size() - begin);
+    if (!decompress_block(reader.take(stream_sizes[i]), data.data() + begin, wanted))
       fail_damaged(document, array, "a compressed block is damaged");
   }
   return data;
