@@ -1,5 +1,6 @@
 #include "io/file_bytes.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

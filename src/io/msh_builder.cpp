@@ -1,6 +1,7 @@
 #include "io/msh_builder.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "io/fail.hpp"
 #include "io/polygons.hpp"

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "unsliver/error.hpp"
 #include "unsliver/types.hpp"

@@ -1,10 +1,12 @@
 /// \file
 /// VTU: raw appended arrays in zlib blocks. The arrays are compressed first, since the tags in front of them
 /// state where each one starts.
+#include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "io/output.hpp"

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "fuzz_reader.hpp"
 #include "io/readers.hpp"
 

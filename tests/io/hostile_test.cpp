@@ -1,6 +1,6 @@
 // Readers on damaged files: whatever the bytes, an Error or a usable mesh. The seeds are files of ours and
 // small files by hand; libFuzzer does the same at length (tests/fuzz).
-#include <functional>
+#include <cstdlib>
 #include <random>
 
 #include "fuzz/fuzz_reader.hpp"
