@@ -60,8 +60,10 @@ DomainPtr make_implicit(const std::string& expression, const Box3& bounds);
 /// The solid bounded by a triangle surface. A closed, consistently oriented, edge-manifold surface without
 /// self-intersections is decided by its boundary; any other by generalized winding number > 1/2 (inside the
 /// surface's bounding box) together with the surface itself (every tetrahedron that touches a triangle is
-/// kept), and `notes` says so and why. A surface of negative volume is turned inside out. \throws Error
-/// kBadInput for NaN coordinates, no triangle of positive area, or zero extent.
+/// kept), and `notes` says so and why.
+/// Before that, triangles that disagree with their neighbours are turned where that makes a patch agree, and
+/// a surface of negative volume is turned inside out; notes too. \throws Error kBadInput for NaN coordinates,
+/// no triangle of positive area, or zero extent.
 DomainPtr make_surface(TriangleMesh surface);
 
 /// One kind of defect: how often, and the first few places.

@@ -24,4 +24,29 @@ void require_usable_range(const Box3& box, const std::string& what) {
                             what, format_point(box.lo), format_point(box.hi)));
 }
 
+namespace {
+
+void refuse(std::string message, std::size_t id) {
+  Error error(ErrorCode::kBadInput, std::move(message));
+  error.ids = {static_cast<std::int64_t>(id)};
+  throw error;
+}
+
+}  // namespace
+
+void require_valid_surface(const TriangleMesh& surface) {
+  const std::string name = surface.name.empty() ? "the surface" : surface.name;
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+    if (!is_finite(surface.points[i]))
+      refuse(fmt::format("point {} of {} has a coordinate that is not a finite number: {}", i, name,
+                         format_point(surface.points[i])),
+             i);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const VertexId v : surface.triangles[t])
+      if (v >= surface.points.size())
+        refuse(fmt::format("triangle {} of {} refers to point {}, but there are {} points", t, name, v,
+                           surface.points.size()),
+               t);
+}
+
 }  // namespace unsliver::domain

@@ -3,6 +3,7 @@
 #include "domain/ranges.hpp"
 #include "domain/side_grid.hpp"
 #include "domain/surface_notes.hpp"
+#include "domain/surface_orientation.hpp"
 #include "domain/surface_region.hpp"
 #include "domain/surface_topology.hpp"
 #include "domain/tet_box.hpp"
@@ -13,17 +14,15 @@
 namespace unsliver {
 namespace {
 
-/// The triangles of positive area on merged points, turned inside out if `flip`.
-TriangleMesh effective_surface(const TriangleMesh& surface,
-                               const std::vector<std::array<VertexId, 3>>& triangles, bool flip) {
-  TriangleMesh result{surface.points, {}, surface.name};
-  for (auto v : triangles) {
-    const Vec3 area = geom::area_vector({surface.points[v[0]], surface.points[v[1]], surface.points[v[2]]});
-    if (norm_sq(area) == 0) continue;
-    if (flip) std::swap(v[1], v[2]);
-    result.triangles.push_back(v);
-  }
-  return result;
+/// The triangles of positive area, turned inside out if `flip`.
+TriangleMesh effective_surface(TriangleMesh surface, bool flip) {
+  std::erase_if(surface.triangles, [&](const auto& v) {
+    return norm_sq(geom::area_vector({surface.points[v[0]], surface.points[v[1]], surface.points[v[2]]})) ==
+           0;
+  });
+  if (flip)
+    for (auto& v : surface.triangles) std::swap(v[1], v[2]);
+  return surface;
 }
 
 Box3 bounds_of(const TriangleMesh& surface) {
@@ -39,7 +38,7 @@ constexpr double kCoarseSteps = 2;
 class SurfaceDomain final : public Domain {
  public:
   SurfaceDomain(const TriangleMesh& surface, const std::vector<domain::EdgeUse>& uses,
-                const SurfaceDefects& d)
+                const SurfaceDefects& d, std::vector<std::string> notes)
       : clean_(d.clean()),
         bounds_(bounds_of(surface)),
         region_(surface, uses),
@@ -49,7 +48,7 @@ class SurfaceDomain final : public Domain {
                                  clean_       ? "closed and clean"
                                  : d.closed() ? "closed, not clean"
                                               : "open")),
-        notes_(domain::surface_notes(d)) {}
+        notes_(std::move(notes)) {}
 
   Box3 bounds() const override { return bounds_; }
 
@@ -98,6 +97,9 @@ class SurfaceDomain final : public Domain {
 }  // namespace
 
 DomainPtr make_surface(TriangleMesh surface) {
+  domain::require_valid_surface(surface);
+  surface.triangles = domain::merged_triangles(surface, domain::merge_equal_points(surface.points));
+  const std::size_t turned = domain::turn_to_agree(surface.points, surface.triangles);
   const SurfaceDefects defects = inspect_surface(surface);
   const std::string name = surface.name.empty() ? "the surface" : surface.name;
   if (defects.degenerate_triangles.count == surface.triangles.size())
@@ -105,9 +107,9 @@ DomainPtr make_surface(TriangleMesh surface) {
                 fmt::format("{} has no triangle of positive area ({} in all): nothing to mesh", name,
                             surface.triangles.size()));
   domain::require_usable_range(bounds_of(surface), name);
-  const auto triangles = domain::merged_triangles(surface, domain::merge_equal_points(surface.points));
-  const TriangleMesh effective = effective_surface(surface, triangles, defects.signed_volume < 0);
-  return std::make_shared<SurfaceDomain>(effective, domain::edge_uses(triangles), defects);
+  const std::vector<domain::EdgeUse> uses = domain::edge_uses(surface.triangles);
+  return std::make_shared<SurfaceDomain>(effective_surface(surface, defects.signed_volume < 0), uses, defects,
+                                         domain::surface_notes(defects, turned));
 }
 
 }  // namespace unsliver

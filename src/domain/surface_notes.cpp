@@ -28,13 +28,16 @@ std::string list_defects(const SurfaceDefects& d) {
 
 }  // namespace
 
-std::vector<std::string> surface_notes(const SurfaceDefects& d) {
+std::vector<std::string> surface_notes(const SurfaceDefects& d, std::size_t turned) {
   std::vector<std::string> notes;
+  if (turned > 0)
+    notes.push_back(fmt::format("{} turned to face the same way as {} neighbours",
+                                plural(turned, "triangle was", "triangles were"),
+                                turned == 1 ? "its" : "their"));
   if (!d.clean())
     notes.push_back(
         fmt::format("the surface is {} ({} in {}); inside is decided by generalized winding number > 1/2 "
-                    "within its bounding "
-                    "box, and every tetrahedron that touches a triangle is kept too",
+                    "within its bounding box, and every tetrahedron that touches a triangle is kept too",
                     d.closed() ? "closed but not clean" : "open", list_defects(d),
                     plural(d.components, "component", "components")));
   if (d.signed_volume < 0)
@@ -45,6 +48,9 @@ std::vector<std::string> surface_notes(const SurfaceDefects& d) {
         fmt::format("{} of {} components face inward: they bound cavities, and are not filled where "
                     "nothing surrounds them",
                     inward, d.components));
+  if (d.duplicate_points.count > 0)
+    notes.push_back(fmt::format("{} taken for one with another at the same coordinates",
+                                plural(d.duplicate_points.count, "point", "points")));
   if (d.degenerate_triangles.count > 0)
     notes.push_back(fmt::format("{} of zero area ignored",
                                 plural(d.degenerate_triangles.count, "triangle", "triangles")));

@@ -9,7 +9,8 @@
 
 namespace unsliver::domain {
 
-/// Empty for a clean surface of positive volume without oddities.
-std::vector<std::string> surface_notes(const SurfaceDefects& defects);
+/// Empty for a clean surface of positive volume without oddities. `turned` triangles were turned to agree
+/// with their neighbours before the defects were counted.
+std::vector<std::string> surface_notes(const SurfaceDefects& defects, std::size_t turned);
 
 }  // namespace unsliver::domain

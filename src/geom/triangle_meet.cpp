@@ -164,7 +164,8 @@ bool TetProbe::plane_separates(const Triangle& triangle) const {
   return !on && (above || below);
 }
 
-/// Some cross product of two edges, rounded as it may be, is an axis on which the shadows are clearly apart.
+/// Some plane parallel to an edge of each separates. First by their rounded cross product: any axis may
+/// separate.
 bool TetProbe::edges_separate(const Triangle& triangle) const {
   const Tet t = seen_from(triangle[0], tet_);
   const Triangle s = seen_from(triangle[0], triangle);
@@ -174,14 +175,32 @@ bool TetProbe::edges_separate(const Triangle& triangle) const {
   for (const auto& e : kEdge) {
     const Vec3 along = t[e[1]] - t[e[0]];
     for (int i = 0; i < 3; ++i) {
-      const Vec3 axis = cross(along, s[(i + 1) % 3] - s[i]);
+      const int j = (i + 1) % 3;
+      const Vec3 axis = cross(along, s[j] - s[i]);
       const auto [t_low, t_high] = shadow(axis, t);
       const auto [s_low, s_high] = shadow(axis, s);
       const double rounding = 8 * kEpsilon * one_norm(axis) * size;
-      if (t_low - s_high > rounding || s_low - t_high > rounding) return true;
+      const double gap = std::max(t_low - s_high, s_low - t_high);
+      if (gap > rounding) return true;
+      if (gap >= -rounding && extent_ == Extent::kInterior &&
+          touch_separates({tet_[e[0]], tet_[e[1]]}, {triangle[i], triangle[j]}, triangle))
+        return true;
     }
   }
   return false;
+}
+
+/// The plane parallel to both edges has the tetrahedron on one side, the triangle on the other, each perhaps
+/// on it.
+bool TetProbe::touch_separates(const ExactStep& e, const ExactStep& f, const Triangle& triangle) const {
+  bool above = false, below = false;
+  for (const Vec3& p : tet_)
+    for (const Vec3& q : triangle) {
+      const int side = exact_det(e, f, {q, p});
+      above = above || side > 0;
+      below = below || side < 0;
+    }
+  return above != below;
 }
 
 std::optional<int> winding_gain(const Triangle& t, const Vec3& p, const Vec3& q) {

@@ -90,8 +90,8 @@ int exact_det_sign(const ExactVec3& r, const ExactVec3& s, const ExactVec3& t) {
 
 }  // namespace
 
-int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 r = b - a, s = c - a, t = d - a;
+int exact_det(const ExactStep& first, const ExactStep& second, const ExactStep& third) {
+  const Vec3 r = first.to - first.from, s = second.to - second.from, t = third.to - third.from;
   const double m1 = s.y * t.z, m2 = s.z * t.y, m3 = s.z * t.x, m4 = s.x * t.z, m5 = s.x * t.y, m6 = s.y * t.x;
   const double det = r.x * (m1 - m2) + r.y * (m3 - m4) + r.z * (m5 - m6);
   const double size = std::abs(r.x) * (std::abs(m1) + std::abs(m2)) +
@@ -101,7 +101,12 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   // epsilon.
   if (std::abs(det) > 5 * kEpsilon * size) return sign_of(det);
   if (size == 0) return 0;
-  return exact_det_sign(exact_difference(b, a), exact_difference(c, a), exact_difference(d, a));
+  return exact_det_sign(exact_difference(first.to, first.from), exact_difference(second.to, second.from),
+                        exact_difference(third.to, third.from));
+}
+
+int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return exact_det({a, b}, {a, c}, {a, d});
 }
 
 int exact_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, int u, int v) {

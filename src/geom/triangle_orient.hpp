@@ -9,6 +9,14 @@
 
 namespace unsliver::geom {
 
+/// From one point to another, not rounded.
+struct ExactStep {
+  Vec3 from, to;
+};
+
+/// Sign of the determinant of three vectors.
+int exact_det(const ExactStep& r, const ExactStep& s, const ExactStep& t);
+
 /// Sign of det(b - a, c - a, d - a).
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

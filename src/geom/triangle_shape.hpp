@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "geom/triangle_orient.hpp"
 #include "unsliver/types.hpp"
 
 namespace unsliver::geom {
@@ -47,8 +48,8 @@ class TetProbe {
 
   /// False: the box is certainly disjoint from the extent.
   bool may_meet(const Box3& box) const;
-  /// False: the triangle is certainly disjoint from the extent. Where a plane of a face of either separates
-  /// the two the answer is exact; true may otherwise be wrong within rounding.
+  /// False: the triangle is certainly disjoint from the extent. True may be wrong within rounding: of the
+  /// interior only where two edges are nearly parallel, of the closed tetrahedron wherever it nearly touches.
   bool may_meet(const Triangle& triangle) const;
 
  private:
@@ -56,6 +57,7 @@ class TetProbe {
   bool face_separates(const Triangle& triangle) const;
   bool plane_separates(const Triangle& triangle) const;
   bool edges_separate(const Triangle& triangle) const;
+  bool touch_separates(const ExactStep& e, const ExactStep& f, const Triangle& triangle) const;
 
   Tet tet_;
   Extent extent_;

@@ -42,8 +42,9 @@ class TriangleTree {
   /// Could some triangle meet the closed tetrahedron? False is certain; true may be wrong only within
   /// rounding.
   bool may_meet(const Tet& t) const;
-  /// Could some triangle meet the interior of the tetrahedron? False is certain, and exact for triangles that
-  /// only touch a face from outside; true may be wrong only within rounding.
+  /// Could some triangle meet the interior of the tetrahedron? False is certain, and exact where triangles
+  /// touch it from outside; true may be wrong within rounding, for degenerate triangles and nearly parallel
+  /// edges.
   bool may_meet_interior(const Tet& t) const;
 
  private:

@@ -25,6 +25,17 @@ bool in_box(const Vec3& p, double lo, double hi) {
   return lo < std::min({p.x, p.y, p.z}) && std::max({p.x, p.y, p.z}) < hi;
 }
 
+/// A rotation about (1, 1, 1) by an angle that fits no lattice, and its inverse.
+Vec3 turned(const Vec3& p, double angle) {
+  const Vec3 k = (1 / std::sqrt(3.0)) * Vec3{1, 1, 1};
+  return std::cos(angle) * p + std::sin(angle) * cross(k, p) + ((1 - std::cos(angle)) * dot(k, p)) * k;
+}
+
+TriangleMesh turned(TriangleMesh m, double angle) {
+  for (Vec3& p : m.points) p = turned(p, angle);
+  return m;
+}
+
 std::vector<Case> closed_cases() {
   const TriangleMesh big = box_surface({{0, 0, 0}, {3, 3, 3}}, 3),
                      small = box_surface({{1, 1, 1}, {2, 2, 2}}, 2);
@@ -43,6 +54,7 @@ std::vector<Case> closed_cases() {
          return 0 < p.z && p.z < 1 &&
                 (in_box({p.x, p.y, 0.5}, 0, 1) || in_box({p.x - 1, p.y - 1, 0.5}, 0, 1));
        }},
+      {"turned box", turned(big, 0.3), [](const Vec3& p) { return in_box(turned(p, -0.3), 0, 3); }},
       {"box far away", box_surface({far, far + Vec3{3, 3, 3}}, 3),
        [far](const Vec3& p) { return in_box(p - far, 0, 3); }},
   };
@@ -95,12 +107,34 @@ TEST(SurfaceDomain, MeetsWhereASampleIsInside) {
       const bool meets = domain->meets(t);
       EXPECT_TRUE(meets || !holds);
       met += meets;
-      if (meets || n % 10 != 0) continue;
-      EXPECT_FALSE(c.inside(t[0]));  // a tetrahedron that does not meet is all outside
     }
     EXPECT_GT(met, 100);
     EXPECT_LT(met, 1400);
   }
+}
+
+/// Two independent and exact ways to the same answer, neither of which wastes.
+TEST(SurfaceDomain, ABoxSurfaceMeetsWhatTheBoxMeets) {
+  const DomainPtr box = make_box({{0, 0, 0}, {3, 3, 3}});
+  const DomainPtr surface = make_surface(box_surface({{0, 0, 0}, {3, 3, 3}}, 3));
+  const DomainPtr turned_surface = make_surface(turned(box_surface({{0, 0, 0}, {3, 3, 3}}, 3), 0.3));
+  Dice dice(9);
+  int met = 0;
+  for (int n = 0; n < 5000; ++n) {
+    SCOPED_TRACE(n);
+    Tet t = dice.tet_around(dice.around({1.5, 1.5, 1.5}, 2.5), n % 2 ? 0.2 : 1.5);
+    if (n % 3 == 0)  // on a lattice, so that much touches
+      for (Vec3& p : t) p = {std::round(p.x), std::round(p.y), std::round(p.z)};
+    if (dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) == 0) continue;
+    const bool expected = box->meets(t);
+    met += expected;
+    EXPECT_EQ(surface->meets(t), expected);
+    if (n % 3 == 0) continue;
+    for (Vec3& p : t) p = turned(p, 0.3);
+    EXPECT_EQ(turned_surface->meets(t), expected);
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_LT(met, 4000);
 }
 
 /// Every triangle's surroundings are kept, on soups as well.
