@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "unsliver/domain.hpp"
 #include "unsliver/mesh.hpp"
 #include "unsliver/types.hpp"
 
@@ -29,6 +28,9 @@ class Sizing {
   /// A constant L with |s(p) - s(q)| <= L |p - q| wherever both are finite, or infinity if none is known.
   virtual double lipschitz() const = 0;
 
+  /// As lipschitz(), for p and q in the box; infinity if s may jump there.
+  virtual double lipschitz_over(const Box3& /*box*/) const { return lipschitz(); }
+
   /// One line for the report, such as "constant 0.1".
   virtual std::string describe() const = 0;
 
@@ -40,7 +42,8 @@ using SizingPtr = std::shared_ptr<const Sizing>;
 
 SizingPtr constant_size(double s);
 
-/// s = expression in x, y, z, with sound lower bounds by interval evaluation over boxes inside `bounds`.
+/// s = expression in x, y, z, with sound lower bounds by interval evaluation. Outside `bounds`: the value at
+/// the nearest point of the box, so that what holds inside (positive, Lipschitz) holds everywhere.
 SizingPtr expression_size(const std::string& expression, const Box3& bounds);
 
 /// s(p) = min(cap, h0 + gradation * distance(p, surface)). cap may be infinite.
@@ -51,18 +54,20 @@ SizingPtr graded_from_surface(const TriangleMesh& surface, double h0, double gra
 SizingPtr graded_from_points(std::vector<Vec3> points, std::vector<double> h0, double gradation, double cap);
 
 /// Linear interpolation of nodal values on a background mesh; outside it, the value at the nearest point
-/// of the mesh's vertices (stated in notes).
+/// of the mesh's boundary (stated in notes).
 SizingPtr background_size(NodalField field);
 
 /// The pointwise minimum of several (at least one).
 SizingPtr minimum_size(std::vector<SizingPtr> sizes);
 
-/// An opaque callable, sampled on a regular grid of about `samples` points over `bounds` and interpolated
-/// trilinearly: the interpolant IS s, and notes() says so.
+/// An opaque callable, sampled on a regular grid of about `samples` (at least 8) points over `bounds` and
+/// interpolated trilinearly: the interpolant IS s, and notes() says so. Outside `bounds`: the value at the
+/// nearest point of the box.
 SizingPtr sampled_size(std::function<double(const Vec3&)> f, const Box3& bounds, std::size_t samples);
 
-/// The largest g-Lipschitz function that is nowhere larger than s on a grid over `bounds` (g > 0): s is
-/// sampled from below (lower_bound on cells), limited, and interpolated; notes() states the grid.
+/// A g-Lipschitz function (g > 0) nowhere larger than s in `bounds`, and nearly the largest one: s is
+/// bounded from below on cells as small as its steep places ask for; notes() states their number and how
+/// much may be lost. s itself if it is g-Lipschitz. Outside `bounds`: the value at the nearest point.
 SizingPtr limit_gradation(SizingPtr s, double g, const Box3& bounds);
 
 }  // namespace unsliver

@@ -1,6 +1,7 @@
 #include "geom/dual.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace unsliver::geom {
 namespace {
@@ -30,9 +31,18 @@ Interval chained(const Interval& outer, const Interval& inner) {
   return r.may_be_nan ? Interval::whole() : r;
 }
 
+/// The length of the longest gradient that the slopes allow.
+double length_of(const std::array<Interval, 3>& slope) {
+  double sum = 0;
+  for (const Interval& s : slope) sum = next_up(sum + times_up(s.magnitude(), s.magnitude()));
+  return next_up(std::sqrt(sum));
+}
+
+bool is_constant(const Dual& a) { return is_zero(a.slope[0]) && is_zero(a.slope[1]) && is_zero(a.slope[2]); }
+
 /// The function of a value that may jump, or may be undefined, over the box.
 Dual without_slopes(const Interval& value, const Dual& argument) {
-  Dual r{value, argument.slope, kInfinity};
+  Dual r{value, argument.slope, is_constant(argument) ? 0 : kInfinity, kInfinity};
   for (Interval& s : r.slope)
     if (!is_zero(s)) s = Interval::whole();
   return r;
@@ -41,9 +51,9 @@ Dual without_slopes(const Interval& value, const Dual& argument) {
 /// f(u) with f' over u.
 Dual chain(const Dual& u, const Interval& value, const Interval& derivative, double ulps) {
   if (!value.is_bounded()) return without_slopes(value, u);
-  Dual r{value, {}, times_up(derivative.magnitude(), u.rounding) + own_error(value, ulps)};
+  Dual r{value, {}, times_up(derivative.magnitude(), u.steepness), 0};
   for (int k = 0; k < 3; ++k) r.slope[k] = chained(derivative, u.slope[k]);
-  r.rounding = next_up(r.rounding);
+  r.rounding = next_up(times_up(derivative.magnitude(), u.rounding) + own_error(value, ulps));
   return r;
 }
 
@@ -51,28 +61,42 @@ Dual chain(const Dual& u, const Interval& value, const Interval& derivative, dou
 Dual chain(const Dual& u, const Interval& by_u, const Dual& v, const Interval& by_v, const Interval& value,
            double ulps) {
   const Dual a = chain(u, value, by_u, ulps), b = chain(v, value, by_v, kExact);
-  Dual r{value, {}, next_up(a.rounding + b.rounding)};
+  Dual r{value, {}, next_up(a.steepness + b.steepness), next_up(a.rounding + b.rounding)};
   for (int k = 0; k < 3; ++k) r.slope[k] = a.slope[k] + b.slope[k];
   for (Interval& s : r.slope)
     if (s.may_be_nan) s = Interval::whole();
+  r.steepness = std::min(r.steepness, length_of(r.slope));
   return r;
 }
 
 /// A function that is constant between jumps.
 Dual step(const Dual& u, const Interval& value) {
-  if (value.is_point()) return {value, {}, 0};
+  if (value.is_point()) return {value, {}, 0, 0};
   return without_slopes(value, u);
 }
 
-Dual step(const Dual& u, const Dual& v, const Interval& value) {
-  Dual r = step(u, value);
-  if (!value.is_point()) r.slope = without_slopes(value, hull(u, v)).slope;
-  return r;
-}
+Dual step(const Dual& u, const Dual& v, const Interval& value) { return step(hull(u, v), value); }
 
 Interval times(double factor, const Interval& a) { return Interval::point(factor) * a; }
 
 Interval reciprocal(const Interval& a) { return divide(kOne, a); }
+
+/// A Lipschitz constant of the map from space to the terms: no linear map is longer than the geometric mean
+/// of its largest row sum and its largest column sum. 1 for (x - a, y - b, z - c).
+double steepness_of_map(std::span<const Dual> terms) {
+  double row_sum = 0;
+  std::array<double, 3> column_sums{};
+  for (const Dual& t : terms) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      sum = next_up(sum + t.slope[k].magnitude());
+      column_sums[k] = next_up(column_sums[k] + t.slope[k].magnitude());
+    }
+    row_sum = std::max(row_sum, sum);
+  }
+  const double column_sum = *std::max_element(column_sums.begin(), column_sums.end());
+  return next_up(std::sqrt(times_up(row_sum, column_sum)));
+}
 
 /// sqrt(1 - u^2), 0 at the least.
 Interval cofunction(const Interval& u) { return sqrt(larger(kOne - square(u), {0, 0})); }
@@ -80,7 +104,7 @@ Interval cofunction(const Interval& u) { return sqrt(larger(kOne - square(u), {0
 }  // namespace
 
 Dual hull(const Dual& a, const Dual& b) {
-  Dual r{hull(a.value, b.value), {}, std::max(a.rounding, b.rounding)};
+  Dual r{hull(a.value, b.value), {}, std::max(a.steepness, b.steepness), std::max(a.rounding, b.rounding)};
   for (int k = 0; k < 3; ++k) r.slope[k] = hull(a.slope[k], b.slope[k]);
   return r;
 }
@@ -129,6 +153,7 @@ Dual norm(std::span<const Dual> terms) {
   for (std::size_t i = 1; i < terms.size(); ++i) {
     r = chain(r, kOne, terms[i], along(terms[i].value), length, kExact);
   }
+  r.steepness = std::min(r.steepness, steepness_of_map(terms));
   // Squares that underflow lose up to sqrt(smallest double) of length; a bound for any count in use.
   r.rounding = next_up(r.rounding + 1e-160);
   return r;

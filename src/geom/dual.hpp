@@ -12,10 +12,13 @@ namespace unsliver::geom {
 ///
 /// `slope[k]` holds every difference quotient of the exact function along axis k between points of the box,
 /// so the mean value theorem may be used even where the function has kinks; where it may jump or be
-/// undefined, the slopes are everything. `rounding` bounds |computed value - exact value| over the box.
+/// undefined, the slopes are everything. `steepness` is a Lipschitz constant of the exact function on the
+/// box: at a kink such as the apex of a distance it is far less than the slopes together. `rounding` bounds
+/// |computed value - exact value| over the box.
 struct Dual {
   Interval value;
   std::array<Interval, 3> slope;
+  double steepness = 0;
   double rounding = 0;
 };
 

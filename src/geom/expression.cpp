@@ -8,20 +8,24 @@ namespace {
 Interval side(const Box3& box, int axis) { return {box.lo[axis], box.hi[axis]}; }
 
 Dual variable(const Box3& box, int axis) {
-  Dual d{side(box, axis), {}, 0};
+  Dual d{side(box, axis), {}, 1, 0};
   d.slope[static_cast<std::size_t>(axis)] = {1, 1};
   return d;
 }
 
 /// Everything f(p) - f(centre) can be for p in the box.
 Interval largest_change(const Dual& f, const Box3& box, const Vec3& centre) {
+  const Vec3 reach{std::fmax(centre.x - box.lo.x, box.hi.x - centre.x),
+                   std::fmax(centre.y - box.lo.y, box.hi.y - centre.y),
+                   std::fmax(centre.z - box.lo.z, box.hi.z - centre.z)};
+  const double at_most = f.steepness * norm(reach) * (1 + 8 * kEpsilon);
   Interval change;
   for (int axis = 0; axis < 3; ++axis) {
     const Interval offset = side(box, axis) - Interval::point(centre[axis]);
     if (offset.lo == 0 && offset.hi == 0) continue;
     change = change + f.slope[static_cast<std::size_t>(axis)] * offset;
   }
-  return change;
+  return {std::fmax(change.lo, -at_most), std::fmin(change.hi, at_most)};
 }
 
 }  // namespace

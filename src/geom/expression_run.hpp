@@ -51,7 +51,7 @@ T constant_as(double v) {
   } else if constexpr (std::is_same_v<T, Interval>) {
     return Interval::point(v);
   } else {
-    return Dual{Interval::point(v), {}, 0};
+    return Dual{Interval::point(v), {}, 0, 0};
   }
 }
 

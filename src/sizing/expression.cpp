@@ -14,9 +14,7 @@ constexpr int kSearchParts = 2048;
 
 double gradient_bound(const geom::Expression& f, const Box3& box) {
   const geom::Dual d = f.enclosure_over(box);
-  if (d.value.may_be_nan) return geom::kInfinity;
-  const Vec3 largest{d.slope[0].magnitude(), d.slope[1].magnitude(), d.slope[2].magnitude()};
-  return norm(largest) * (1 + 8 * geom::kEpsilon);
+  return d.value.may_be_nan ? geom::kInfinity : d.steepness;
 }
 
 double gradient_at_center(const geom::Expression& f, const Box3& box) {
@@ -35,7 +33,7 @@ int most_variable_axis(const geom::Expression& f, const Box3& box) {
   return change(2) > change(first) ? 2 : first;
 }
 
-double lipschitz_over(const geom::Expression& f, const Box3& bounds) {
+double steepest_over(const geom::Expression& f, const Box3& bounds) {
   return sizing::upper_bound(
       bounds, [&f](const Box3& b) { return gradient_bound(f, b); },
       [&f](const Box3& b) { return gradient_at_center(f, b); },
@@ -59,7 +57,7 @@ class ExpressionSize final : public Sizing {
   ExpressionSize(const std::string& text, const Box3& bounds)
       : f_(geom::Expression::parse(text)),
         bounds_(bounds),
-        lipschitz_(lipschitz_over(f_, bounds)),
+        lipschitz_(steepest_over(f_, bounds)),
         least_(std::max(least_value_over(f_, bounds), std::numeric_limits<double>::min())) {}
 
   double at(const Vec3& p) const override {
@@ -73,6 +71,9 @@ class ExpressionSize final : public Sizing {
   }
 
   double lipschitz() const override { return lipschitz_; }
+  double lipschitz_over(const Box3& box) const override {
+    return std::min(lipschitz_, gradient_bound(f_, sizing::clamped(box, bounds_)));
+  }
   std::string describe() const override { return fmt::format("expression {}", f_.text()); }
 
   std::vector<std::string> notes() const override {

@@ -1,9 +1,10 @@
-/// The bounds are cut into cells C with lower bounds m(C) of s, and
-///   s'(p) = min over C of m(C) + g * distance(p, C).
-/// This is the largest g-Lipschitz function that is nowhere above the m(C), hence nowhere above s in the
-/// bounds: exactly g-Lipschitz in the Euclidean distance. (Values limited along a grid's edges and
-/// interpolated would be so only to a factor of sqrt(3).) Small cells are needed only where s' = s; cells
-/// whose cone lies above another one's are dropped, which changes nothing.
+/// The bounds are cut into cells C. A cell is steep if s is not known to be g-Lipschitz in it; with m(C) a
+/// lower bound of s there,
+///   K(p)  = min over steep C of m(C) + g * distance(p, C),      s'(p) = min(s(p), K(p)).
+/// s' <= s plainly. s' is g-Lipschitz, in the Euclidean distance and without a factor: K is, s is so in the
+/// cells that are not steep, and in steep ones K <= m(C) <= s rules. (Values limited along a grid's edges
+/// and interpolated would be so only to a factor of sqrt(3).) Small cells are needed only where K comes near
+/// s; cells whose cone lies above another size's cone are dropped, which keeps K <= s in them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace unsliver {
 namespace {
 
 constexpr double kCellsAlongLongestSide = 16;
-constexpr std::size_t kMostCells = std::size_t{1} << 16;
+constexpr std::size_t kMostCells = std::size_t{1} << 15;
 /// Cells are cut until their bound is this close to the size, or to what the gradation leaves of it.
 constexpr double kTolerance = 0.02;
 
@@ -25,6 +26,7 @@ struct Cell {
   Box3 box;
   double bound;      ///< m(C)
   double at_center;  ///< s there
+  bool is_steep;
 };
 
 class CellCutter {
@@ -64,7 +66,8 @@ class CellCutter {
   /// An estimate of how far, relative to the bound, s' falls short of the ideal because the cell is not
   /// smaller: by the variation of s in it, or by what the gradation allows across it.
   double shortfall(const Cell& c) const {
-    const double variation = std::isinf(c.bound) ? 0 : 2 * (c.at_center - c.bound);
+    if (!c.is_steep) return 0;
+    const double variation = 2 * (c.at_center - c.bound);
     return std::min(variation, gradation_ * c.box.diagonal()) / c.bound;
   }
 
@@ -79,10 +82,14 @@ class CellCutter {
           add({{cut(0, i), cut(1, j), cut(2, k)}, {cut(0, i + 1), cut(1, j + 1), cut(2, k + 1)}});
   }
 
-  void add(const Box3& box) { cells_.push_back({box, s_.lower_bound(box), s_.at(box.center())}); }
+  void add(const Box3& box) {
+    const bool is_steep = !(s_.lipschitz_over(box) <= gradation_);
+    cells_.push_back({box, s_.lower_bound(box), s_.at(box.center()), is_steep});
+  }
 
-  /// s(c) + g |q - c| <= m(C) for all q in C, c the centre of another cell, means by the triangle inequality
-  /// that the cone of C is nowhere below that cell's.
+  /// s(c) + g |q - c| < m(C) for all q in C, c the centre of another cell D, means by the triangle inequality
+  /// that s + g * distance from c is nowhere above the cone of C. If D is not steep, neither is it above the
+  /// cone of the first steep cell on the way from c; so some cone that is kept is below that of C.
   void drop_dominated() {
     std::vector<Box3> centers;
     std::vector<double> sizes;
@@ -93,7 +100,7 @@ class CellCutter {
     const sizing::ConeField from_above(std::move(centers), std::move(sizes), gradation_);
     std::erase_if(cells_, [&](const Cell& c) {
       const double highest = from_above.at(c.box.center(), c.bound) + 0.5 * gradation_ * c.box.diagonal();
-      return highest <= c.bound * (1 - 1e-12) || std::isinf(c.bound);
+      return c.is_steep && (highest <= c.bound * (1 - 1e-12) || std::isinf(c.bound));
     });
   }
 
@@ -111,8 +118,16 @@ class Limited final : public Sizing {
         bounds_(bounds),
         shortfall_(shortfall) {}
 
-  double at(const Vec3& p) const override { return cones_.at(p, kNoLimit); }
-  double lower_bound(const Box3& box) const override { return cones_.least_over(box, kNoLimit); }
+  double at(const Vec3& p) const override {
+    const Vec3 q = sizing::clamped(p, bounds_);
+    return cones_.at(q, s_->at(q));
+  }
+
+  double lower_bound(const Box3& box) const override {
+    const Box3 inside = sizing::clamped(box, bounds_);
+    return cones_.least_over(inside, s_->lower_bound(inside));
+  }
+
   double lipschitz() const override { return gradation_; }
 
   std::string describe() const override {
@@ -122,15 +137,13 @@ class Limited final : public Sizing {
   std::vector<std::string> notes() const override {
     std::vector<std::string> all = s_->notes();
     all.push_back(
-        fmt::format("the gradation was limited on {} cells over {}: the size is nowhere above the "
+        fmt::format("the gradation was limited by {} cells of {}: the size is nowhere above the "
                     "ideal limit there and about {:.2g}% below it at most",
                     cones_.size(), sizing::to_text(bounds_), 100 * shortfall_));
     return all;
   }
 
  private:
-  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
   SizingPtr s_;
   sizing::ConeField cones_;
   double gradation_;
@@ -150,6 +163,7 @@ SizingPtr limit_gradation(SizingPtr s, double g, const Box3& bounds) {
   std::vector<Box3> boxes;
   std::vector<double> heights;
   for (const Cell& c : cutter.cells()) {
+    if (!c.is_steep) continue;
     boxes.push_back(c.box);
     heights.push_back(c.bound);
   }

@@ -19,9 +19,11 @@ class Minimum final : public Sizing {
   }
 
   double lipschitz() const override {
-    double largest = 0;
-    for (const SizingPtr& s : sizes_) largest = std::max(largest, s->lipschitz());
-    return largest;
+    return -least([](const Sizing& s) { return -s.lipschitz(); });
+  }
+
+  double lipschitz_over(const Box3& box) const override {
+    return -least([&box](const Sizing& s) { return -s.lipschitz_over(box); });
   }
 
   std::string describe() const override {

@@ -174,6 +174,11 @@ void expect_sound(const Expression& f, const Box3& box, Random& random) {
     ASSERT_TRUE(range.contains(v)) << v << " not in [" << range.lo << ", " << range.hi << "]";
     ASSERT_TRUE(tight.contains(v)) << v << " not in [" << tight.lo << ", " << tight.hi << "]";
     ASSERT_TRUE(d.value.contains(v));
+    const Vec3 elsewhere = random.point_of(box);
+    const double difference = std::fabs(f.at(elsewhere) - v);
+    if (std::isfinite(difference) && std::isfinite(d.steepness) && d.rounding < 1e-3) {
+      ASSERT_LE(difference, (d.steepness * dist(p, elsewhere) + 2 * d.rounding) * (1 + 1e-12));
+    }
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 q = p;
       q[axis] = random.point_of(box)[axis];
@@ -206,6 +211,7 @@ TEST(Expression, DerivativesOfTheUsualFormulasAreTight) {
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(distance.derivative_over(around_apex, axis).magnitude(), 0.3, 1e-14);
   }
+  EXPECT_NEAR(distance.enclosure_over(around_apex).steepness, 0.3, 1e-14) << "not 0.3 sqrt(3)";
   const Expression wave = Expression::parse("sin(3*x)*y");
   const Box3 point{{0.2, 2, 0}, {0.2, 2, 0}};
   EXPECT_NEAR(wave.derivative_over(point, 0).lo, 6 * std::cos(0.6), 1e-13);

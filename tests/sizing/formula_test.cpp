@@ -45,8 +45,7 @@ TEST(ExpressionSize, IsSoundAndTight) {
 
 TEST(ExpressionSize, LipschitzConstantIsCloseToTheTrueOne) {
   EXPECT_EQ(expression_size("0.25", kCube)->lipschitz(), 0);
-  EXPECT_NEAR(expression_size("0.1 + 0.3*sqrt(x^2+y^2+z^2)", kCube)->lipschitz(), 0.3 * std::sqrt(3.0), 1e-9)
-      << "the norm is not known to be isotropic at 0, but bounded";
+  EXPECT_NEAR(expression_size("0.1 + 0.3*sqrt(x^2+y^2+z^2)", kCube)->lipschitz(), 0.3, 1e-9);
   EXPECT_NEAR(expression_size("3 + x + 2*y", kCube)->lipschitz(), std::sqrt(5.0), 1e-9);
   EXPECT_NEAR(expression_size("1 + x*x*y", kCube)->lipschitz(), std::sqrt(5.0), 0.05);
   EXPECT_EQ(expression_size("x < 0 ? 1 : 2", kCube)->lipschitz(), kInf);
