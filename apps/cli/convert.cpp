@@ -30,7 +30,7 @@ ExitCode run(const ConvertOptions& options) {
   check_write_options(options.to, options.write);
   const TetMesh mesh = io::read_tet_mesh(options.from);
   {
-    const interrupts::Finish finish;
+    const interrupts::Hold hold(interrupts::Hold::For::kFile);
     io::write_tet_mesh(options.to, mesh, options.write);
   }
   if (!options.quiet)

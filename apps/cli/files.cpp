@@ -93,7 +93,7 @@ void check_readable(const fs::path& path) {
 }
 
 void write_file(const fs::path& path, const std::string& content) {
-  const interrupts::Finish finish;
+  const interrupts::Hold hold(interrupts::Hold::For::kFile);
   const bool special = is_special(path);
   const fs::path stored = special ? path : fs::path(path.string() + fmt::format(".{}.part", getpid()));
   int failure = store(stored, content);

@@ -14,7 +14,7 @@ namespace {
 constexpr int kGraceMicroseconds = 80'000;
 
 std::atomic<bool> stop_requested{false};
-std::atomic<int> finishing{0};
+std::atomic<int> files_held{0}, meshes_held{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
               "signal handlers may touch lock-free atomics only");
 
@@ -24,12 +24,12 @@ void arm_timer(int microseconds) {
 }
 
 void on_interrupt(int) {
-  stop_requested = true;
-  if (finishing == 0) arm_timer(kGraceMicroseconds);
+  const bool again = stop_requested.exchange(true);
+  if (files_held == 0 && (meshes_held == 0 || again)) arm_timer(kGraceMicroseconds);
 }
 
 void on_grace_over(int) {
-  if (finishing != 0) return;
+  if (files_held != 0) return;
   constexpr char kMessage[] = "\nunsliver: interrupted; nothing was written\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
   _exit(static_cast<int>(ExitCode::kLimit));
@@ -53,14 +53,14 @@ void install() {
 
 bool requested() { return stop_requested; }
 
-Finish::Finish() {
-  ++finishing;
+Hold::Hold(For purpose) : purpose_(purpose) {
+  ++(purpose_ == For::kFile ? files_held : meshes_held);
   arm_timer(0);
 }
 
-Finish::~Finish() {
-  --finishing;
-  if (finishing == 0 && requested()) arm_timer(kGraceMicroseconds);
+Hold::~Hold() {
+  --(purpose_ == For::kFile ? files_held : meshes_held);
+  if (files_held == 0 && meshes_held == 0 && requested()) arm_timer(kGraceMicroseconds);
 }
 
 }  // namespace unsliver::cli::interrupts

@@ -10,15 +10,21 @@ void install();
 /// Has the user asked to stop?
 bool requested();
 
-/// While one of these lives, a signal sets the flag and nothing else: a file is being written, or the mesh so
-/// far is wanted. At all other times the program leaves within 80 ms of the signal by force if it has not
-/// left by itself; no file is open for writing then.
-class Finish {
+/// While one of these lives, a first signal sets the flag and no more. At all other times the program leaves
+/// within 80 ms of the signal by force if it has not left by itself; no file is open for writing then.
+class Hold {
  public:
-  Finish();
-  ~Finish();
-  Finish(const Finish&) = delete;
-  Finish& operator=(const Finish&) = delete;
+  enum class For {
+    kPartialMesh,  ///< the mesh so far is wanted; a second signal leaves all the same
+    kFile,         ///< a file is being written: it is finished whatever comes
+  };
+  explicit Hold(For purpose);
+  ~Hold();
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+ private:
+  For purpose_;
 };
 
 }  // namespace unsliver::cli::interrupts

@@ -41,6 +41,11 @@ ExitCode run_guarded(const Command& command) {
 
 ExitCode usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto subcommands = app.get_subcommands();
+  const auto strangers = app.remaining();
+  if (subcommands.empty() && !strangers.empty()) {
+    say_error("there is no command \"" + strangers.front() + "\". See `unsliver --help`");
+    return ExitCode::kUsage;
+  }
   const std::string topic = subcommands.empty() ? "" : subcommands.front()->get_name() + " ";
   say_error(std::string(error.what()) + ". See `unsliver " + topic + "--help`");
   return ExitCode::kUsage;

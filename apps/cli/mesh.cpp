@@ -23,7 +23,7 @@ The mesh is a superset of the domain: all tetrahedra that meet it, none of them 
 
 /// What a script or a person gets at the end, whatever the end was.
 void publish(const MeshCommandOptions& options, const MeshReport& report) {
-  const interrupts::Finish finish;
+  const interrupts::Hold hold(interrupts::Hold::For::kFile);
   if (!options.quiet && options.json != "-" && !report.error) print_result(to_table(report));
   if (!options.json.empty()) write_json(options.json, to_json(report).dump(2) + "\n");
 }

@@ -52,6 +52,7 @@ class MeshRun {
   const MeshCommandOptions& options_;
   MeshReport& report_;
   ProgressDisplay display_;
+  std::optional<interrupts::Hold> hold_;
   MeshResult result_;
 };
 
@@ -59,8 +60,7 @@ void MeshRun::run() {
   const auto start = Clock::now();
   timed("read", [this] { prepare(); });
   check_limits();
-  std::optional<interrupts::Finish> finish;
-  if (options_.keep_partial) finish.emplace();
+  if (options_.keep_partial) hold_.emplace(interrupts::Hold::For::kPartialMesh);
   generate();
   if (!options_.no_verify && result_.status != MeshStatus::kCancelled) timed("verify", [this] { judge(); });
   const bool wanted = report_.exit_code == ExitCode::kDone ||
@@ -147,7 +147,7 @@ void MeshRun::judge() {
 }
 
 void MeshRun::write() {
-  const interrupts::Finish finish;
+  hold_.emplace(interrupts::Hold::For::kFile);
   io::WriteOptions write = options_.write;
   write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
   io::write_tet_mesh(options_.output, result_.mesh, write);

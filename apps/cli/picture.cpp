@@ -40,13 +40,6 @@ Colour colour_of(double degrees) {
 
 int panel_width(const PictureOptions& options) { return std::clamp(options.width * 3 / 10, 120, 420); }
 
-Box3 box_of(const TetMesh& mesh) {
-  Box3 box;
-  for (const auto& tet : mesh.tets)
-    for (const VertexId v : tet) box.extend(mesh.points[v]);
-  return box;
-}
-
 /// A cut is looked at a little from the side and from above, so that its steps stand out.
 View make_view(const PictureOptions& options) {
   const Vec3 front = options.cut ? 1 / norm(options.cut->normal) * options.cut->normal : Vec3{0.5, -0.8, 0.2};
@@ -54,24 +47,27 @@ View make_view(const PictureOptions& options) {
   return look_from(straight.toward + 0.35 * straight.right + 0.3 * straight.up, options.up);
 }
 
-void fit(View& view, const Box3& box, int width, int height) {
-  view.center = box.center();
-  double reach_x = 0, reach_y = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p{corner & 1 ? box.lo.x : box.hi.x, corner & 2 ? box.lo.y : box.hi.y,
-                 corner & 4 ? box.lo.z : box.hi.z};
-    reach_x = std::max(reach_x, std::abs(dot(p - view.center, view.right)));
-    reach_y = std::max(reach_y, std::abs(dot(p - view.center, view.up)));
-  }
-  view.scale = 0.46 * std::min(width / std::max(reach_x, 1e-300), height / std::max(reach_y, 1e-300));
+/// Moves and scales the view so that the faces fill a picture of this size.
+void fit(View& view, const TetMesh& mesh, const std::vector<VisibleFace>& faces, int width, int height) {
+  Box3 seen;
+  for (const VisibleFace& face : faces)
+    for (const VertexId v : face.vertices) {
+      const Vec3& p = mesh.points[v];
+      seen.extend(Vec3{dot(p, view.right), dot(p, view.up), dot(p, view.toward)});
+    }
+  if (seen.empty()) return;
+  const Vec3 middle = seen.center(), size = seen.size();
+  view.center = middle.x * view.right + middle.y * view.up + middle.z * view.toward;
+  view.scale = 0.92 * std::min(width / std::max(size.x, 1e-300), height / std::max(size.y, 1e-300));
 }
 
 Image draw_mesh(const TetMesh& mesh, const PictureOptions& options, int width, int height) {
+  const std::vector<VisibleFace> faces = visible_faces(mesh, options.cut);
   View view = make_view(options);
-  fit(view, box_of(mesh), width * kOversampling, height * kOversampling);
+  fit(view, mesh, faces, width * kOversampling, height * kOversampling);
   Raster raster(width * kOversampling, height * kOversampling, kPaper, view);
   const std::vector<float> angles = min_dihedral_angles_deg(mesh);
-  for (const VisibleFace& face : visible_faces(mesh, options.cut)) {
+  for (const VisibleFace& face : faces) {
     const auto [a, b, c] = face.vertices;
     const Colour colour = colour_of(angles[face.tet]);
     raster.draw({mesh.points[a], mesh.points[b], mesh.points[c]},

@@ -8,7 +8,7 @@ namespace unsliver::cli {
 namespace {
 
 constexpr Colour kEdge{25, 30, 40};
-constexpr double kAmbient = 0.45;
+constexpr double kAmbient = 0.6;
 /// A triangle this low (in pixels) shows no edges, one twice as high shows them fully.
 constexpr double kFadeHeight = 5;
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "files.hpp"
+#include "samples.hpp"
 #include "text.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/io.hpp"
@@ -17,6 +18,7 @@ const double kSizePerEdge = (std::sqrt(5.0) / 4) / ((3 + 2 * std::sqrt(3.0)) / 7
 namespace {
 
 constexpr double kDiagonalPerDefaultSize = 40;
+constexpr std::size_t kProbes = 2000;
 
 /// --size or --edge-length: `factor` times a number or a formula.
 struct Typed {
@@ -89,6 +91,12 @@ SizingPtr uniform(const SizeRequest& request, const DomainSource& source, double
   return graded_from_surface(*source.surface, s, *request.gradation, cap);
 }
 
+/// A formula or a file may hold anything: looks at s all over the domain before anybody relies on it.
+/// \throws Error kBadInput naming a point where s is not positive.
+void probe(const Sizing& sizing, const Domain& domain) {
+  for (const Vec3& p : domain_samples(domain, kProbes)) sizing.at(p);
+}
+
 }  // namespace
 
 void check_size_request(const SizeRequest& request, bool surface_input) {
@@ -116,7 +124,10 @@ SizeSource make_sizing(const SizeRequest& request, const DomainSource& source) {
   if (result.by_default) s = bounds.diagonal() / kDiagonalPerDefaultSize;
   std::vector<SizingPtr> sizes;
   if (s) sizes.push_back(uniform(request, source, *s));
-  if (varies(request)) sizes.push_back(varying(request, bounds));
+  if (varies(request)) {
+    sizes.push_back(varying(request, bounds));
+    probe(*sizes.back(), *source.domain);
+  }
   if (s && !varies(request) && !request.gradation) result.constant = s;
   result.sizing = combined(std::move(sizes));
   return result;

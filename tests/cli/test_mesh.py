@@ -1,5 +1,6 @@
 """The main job: solids in, verified meshes and reports out."""
 
+import json
 import math
 
 from program import ProgramTest, main
@@ -8,7 +9,7 @@ BALL = ["--ball", "0 0 0 1"]
 SPHERE = "x^2 + y^2 + z^2 - 1"
 
 
-class Mesh(ProgramTest):
+class MeshTest(ProgramTest):
     def mesh(self, *arguments, output="out.vtu"):
         """Meshes without complaint; the report, in which every promise is kept."""
         self.succeed("mesh", *arguments, "-o", output, "--json", "report.json")
@@ -25,6 +26,8 @@ class Mesh(ProgramTest):
             self.assertLessEqual(report["verify"]["worst_size_ratio"], 1 + 1e-12)
         return report
 
+
+class Mesh(MeshTest):
     def test_every_kind_of_domain(self):
         for kind, arguments, volume in [
             ("box", ["--box", "0 0 0 1 1 2"], 2),
@@ -59,7 +62,6 @@ class Mesh(ProgramTest):
         self.assertEqual((result.stdout, result.stderr), ("", ""))
 
     def test_report_on_standard_output_is_nothing_but_json(self):
-        import json
         result = self.succeed("mesh", *BALL, "-o", "out.vtu", "--size", "0.5", "--json", "-")
         self.assertEqual(json.loads(result.stdout)["status"], "done")
 
@@ -80,7 +82,7 @@ class Mesh(ProgramTest):
         self.assertEqual(report["options"]["max_dihedral_deg"], 150)
 
 
-class Sizes(Mesh):
+class Sizes(MeshTest):
     def test_default(self):
         report = self.mesh("--box", "0 0 0 1 1 1", "--no-verify")
         self.assertTrue(report["size"]["default"])
@@ -144,7 +146,7 @@ class Sizes(Mesh):
                                delta=0.5 * constant["mesh"]["tets"])
 
 
-class Caps(Mesh):
+class Caps(MeshTest):
     def test_cap_keeps_a_partial_mesh_only_when_asked(self):
         cap = ["--size", "0.05", "--max-tets", "5k"]
         self.refuse(1, "mesh", *BALL, *cap, "-o", "out.vtu")

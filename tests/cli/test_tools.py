@@ -151,7 +151,7 @@ class View(Tools):
     def test_cuts_differ(self):
         self.mesh()
         pictures = []
-        for cut in ["auto", "none", "1 1 0 0.2", "-1 0 0 0"]:
+        for cut in ["auto", "none", "1 1 0 0.2", "-1 0 0 0.3"]:
             self.succeed("view", "ball.vtu", "-o", "a.png", "--size", "300x240", "--cut", cut)
             pictures.append((self.folder / "a.png").read_bytes())
         self.assertEqual(len(set(pictures)), 4)
