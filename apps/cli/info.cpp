@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -49,6 +50,18 @@ Json defects_json(const SurfaceDefects& defects) {
   return json;
 }
 
+/// What `unsliver mesh` would say of it.
+std::vector<std::string> meshing_notes(const TriangleMesh& surface) {
+  try {
+    const DomainPtr domain = make_surface(surface);
+    std::vector<std::string> notes = domain->notes();
+    notes.insert(notes.begin(), domain->describe());
+    return notes;
+  } catch (const Error& error) {
+    return {std::string("cannot be meshed: ") + error.what()};
+  }
+}
+
 Json describe_surface(const std::string& path) {
   const TriangleMesh surface = io::read_surface(path);
   const SurfaceDefects defects = inspect_surface(surface);
@@ -61,7 +74,8 @@ Json describe_surface(const std::string& path) {
           {"signed_volume", defects.signed_volume},
           {"clean", defects.clean()},
           {"self_intersections_complete", defects.self_intersections_complete},
-          {"defects", defects_json(defects)}};
+          {"defects", defects_json(defects)},
+          {"notes", meshing_notes(surface)}};
 }
 
 Json describe_tet_mesh(const std::string& path) {
@@ -88,7 +102,7 @@ class Rows {
  public:
   void add(std::string name, const std::string& value) {
     std::replace(name.begin(), name.end(), '_', ' ');
-    fmt::format_to(std::back_inserter(text_), "  {:<22}{}\n", name, value);
+    fmt::format_to(std::back_inserter(text_), "  {:<24}{}\n", name, value);
   }
   const std::string& text() const { return text_; }
 
@@ -100,9 +114,14 @@ void add_defects(Rows& rows, const Json& report) {
   for (const auto& [name, defect] : report["defects"].items())
     if (const auto count = defect["count"].get<std::uint64_t>(); count > 0)
       rows.add(name, with_separators(count) + "; the first: " + defect["first"].dump());
-  rows.add("inside is decided by", report["clean"].get<bool>()
-                                       ? "the boundary (closed, consistently oriented, not crossed)"
-                                       : "winding number, and every triangle is covered");
+  if (!report["self_intersections_complete"].get<bool>())
+    rows.add("self_intersections", "there are more: the search stopped early");
+}
+
+bool has_own_row(const std::string& name, const Json& value) {
+  constexpr std::array kElsewhere = {"unsliver", "command", "exit_code", "self_intersections_complete"};
+  return std::find(kElsewhere.begin(), kElsewhere.end(), name) == kElsewhere.end() &&
+         !(value.is_array() && value.empty());
 }
 
 std::string to_text(const Json& report) {
@@ -112,8 +131,9 @@ std::string to_text(const Json& report) {
       rows.add(name, value["lo"].dump() + " to " + value["hi"].dump());
     else if (name == "defects")
       add_defects(rows, report);
-    else if (name != "unsliver" && name != "command" && name != "exit_code" &&
-             !(value.is_array() && value.empty()))
+    else if (name == "notes")
+      for (const auto& note : value) rows.add("note", note.get<std::string>());
+    else if (has_own_row(name, value))
       rows.add(name, value_text(value));
   return rows.text();
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "files.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
 #include "resources.hpp"
@@ -20,6 +21,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The only format with a place for the angle of each tetrahedron.
+bool writes_vtu(const MeshCommandOptions& options) {
+  return options.write.format.empty() ? extension_of(options.output) == "vtu" : options.write.format == "vtu";
 }
 
 class MeshRun {
@@ -112,7 +118,7 @@ void MeshRun::generate() {
   settle(to_string(result_.status), result_.status == MeshStatus::kDone ? ExitCode::kDone : ExitCode::kLimit);
   if (result_.status == MeshStatus::kCancelled && !options_.keep_partial) return;
   report_.counts = {result_.mesh.points.size(), result_.mesh.tets.size(), result_.mesh.triangles.size()};
-  report_.quality = summarize_quality(result_.mesh);
+  timed("measure", [this] { report_.quality = summarize_quality(result_.mesh); });
 }
 
 std::vector<Vec3> MeshRun::points_to_cover() const {
@@ -149,7 +155,7 @@ void MeshRun::judge() {
 void MeshRun::write() {
   hold_.emplace(interrupts::Hold::For::kFile);
   io::WriteOptions write = options_.write;
-  write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
+  if (writes_vtu(options_)) write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
   io::write_tet_mesh(options_.output, result_.mesh, write);
   report_.output = options_.output;
 }

@@ -105,7 +105,14 @@ class Info(Tools):
                          ("surface", 8, 12, True))
         self.assertEqual(report["bounds"], {"lo": [0, 0, 0], "hi": [1, 1, 1]})
         self.assertAlmostEqual(report["signed_volume"], 1)
-        self.assertIn("closed", self.succeed("info", "cube.off").stdout)
+        self.assertTrue(report["notes"])
+        self.assertIn("12 triangles", self.succeed("info", "cube.off").stdout)
+
+    def test_surface_that_cannot_be_meshed(self):
+        self.write("flat.off", off([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)]))
+        report = self.told("info", "flat.off")
+        self.assertEqual(report["defects"]["degenerate_triangles"]["count"], 1)
+        self.assertIn("cannot be meshed", report["notes"][0])
 
     def test_defects(self):
         self.write("open.off", off(CUBE_POINTS, CUBE_TRIANGLES[1:]))
