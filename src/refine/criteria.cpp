@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "unsliver/error.hpp"
 
 namespace unsliver::refine {
@@ -9,6 +11,7 @@ namespace unsliver::refine {
 namespace {
 
 constexpr double kBestRatio = 1.118033988749895;  // sqrt(5)/2
+constexpr double kNoRatioDemand = 999;  // beyond this a bound means nothing, and squares outgrow 20 bits
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw Error(ErrorCode::kBadOption, message);
@@ -40,7 +43,7 @@ exact::QualityBounds quality_bounds(const MeshOptions& options) {
                                                      : exact::CosBound{1, 1, 1};
   bounds.max_dihedral = options.max_dihedral_deg < 180 ? exact::cos_bound(options.max_dihedral_deg, false)
                                                        : exact::CosBound{-1, 1, 1};
-  bounds.max_radius_edge = exact::ratio_bound(options.max_radius_edge);
+  bounds.max_radius_edge = exact::ratio_bound(std::min(options.max_radius_edge, kNoRatioDemand));
   return bounds;
 }
 

@@ -72,14 +72,14 @@ bool still_there(const Refinement& r, const Queued& entry) {
 
 void figure_5_literal(Refinement& r) {
   r.enter_phase("refine");
-  SizeEnforcement sizes(r);
+  EmptyBallSearch search(r);
   std::deque<Queued> queue;
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) queue.push_back(queued(r, t));
   for (; !queue.empty(); queue.pop_front()) {
     const TetId t = queue.front().slot;
     if (!still_there(r, queue.front()) || !r.meets_domain(t)) continue;
-    if (const auto ball = sizes.find_empty_ball(t))
-      sizes.insert_for(*ball, t);
+    if (const auto ball = search.find(t, 0))
+      insert_for_size(r, search, *ball, t);
     else if (r.is_bad(t))
       enforce_quality_literally(r, t);
     else

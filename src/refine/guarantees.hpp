@@ -23,16 +23,19 @@ inline constexpr double kFigure5Grading = 1 / (1 + kFigure5A);
 /// fitted size one level finer.
 inline constexpr double kSizeSlack = 1e-6;
 
-/// A point that triggers a size insertion lies within kWitnessSlack s of the domain (section 5 of the design:
-/// cells smaller than this that still meet the domain count as if their centre did).
-inline constexpr double kWitnessSlack = 0.1;
+/// A point p that triggers a size insertion lies in the domain, or within kWitnessSlack s of a point a of it:
+/// cells this small that still meet the domain count as if their centre did. lfs(w) <= c s(a) + |aw| is then
+/// at most c s(p) + |pw| + (1 + c L) kWitnessSlack s, L the Lipschitz constant of s: half a percent of c for
+/// L <= 1.
+inline constexpr double kWitnessSlack = 1e-3;
 
 /// The constant c of Definition 2 for which (1) survives a size insertion: the new vertex lies within
-/// r(level) of p and the next coarser level does not fit, so lfs <= c s + kWitnessSlack s + r(level) must
-/// stay below the label's budget. Literal Figure 5 (SC only): s < 2 r(SC_j) gives c = a / sqrt 3 - 1/2.
-inline constexpr double kFigure5LiteralC = 2.790994448735806 - kWitnessSlack;
+/// r(level) of p and the next coarser level does not fit, so c s + r(level), with s below the next covering
+/// radius, must not exceed the label's budget. Literal Figure 5 (SC only, s < 2 r(SC_j)): c = a / sqrt 3 -
+/// 1/2. (Section 4.2.1 leaves out dist(p, w); with it c is smaller.)
+inline constexpr double kFigure5LiteralC = 2.77;  // 2.7910 less the witness slack
 /// Both lattices: c = min((a - sqrt(3)/2) 2/sqrt 5, (b - sqrt(5)/4) 2/sqrt 3).
-inline constexpr double kFigure5ThriftyC = 3.9364916731037085 - kWitnessSlack;
+inline constexpr double kFigure5ThriftyC = 3.91;  // 3.9365 less the witness slack
 
 /// The right-hand side of inequality (1) for a label, in world units.
 inline double figure_5_budget(lattice::Level label) {

@@ -1,5 +1,6 @@
 #include "refine/refinement.hpp"
 
+#include <cassert>
 #include <limits>
 
 #include "refine/criteria.hpp"
@@ -137,8 +138,10 @@ std::optional<double> Refinement::size_at_vertex(VertexId v) {
 }
 
 VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
-  mesh_.carve(p, mesh_.in_conflict(t, p) ? t : mesh_.locate(p, t));
-  VertexId nearest = kNoVertex;
+  t = mesh_.locate(p, t);
+  VertexId nearest = mesh_.corner_at(t, p);
+  if (nearest != kNoVertex) return nearest;
+  mesh_.carve(p, t);
   for (TetId member : mesh_.cavity())
     for (VertexId v : mesh_.tet(member).v)
       if (v != delaunay::kInfinite &&
@@ -151,6 +154,7 @@ VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
 void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near) {
   if (insertions_++ % kCheckInterval == 0) check_caps();
   if (!mesh_.in_conflict(near, w)) near = mesh_.locate(w, near);
+  assert(mesh_.corner_at(near, w) == kNoVertex);
   mesh_.insert_in_conflict(w, near);
   add_vertex_arrays(label, lfs_bound);
 }

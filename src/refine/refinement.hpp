@@ -74,7 +74,7 @@ class Refinement {
   double largest_size() const { return size_cap_; }
   double smallest_size() const { return size_floor_; }
 
-  /// The vertex nearest to the integer point p of the closed tetrahedron t, which is not a vertex itself.
+  /// The vertex nearest to the integer point p, which lies in tetrahedron t or not far from it.
   VertexId nearest_vertex(const Vec3& p, TetId t);
 
   /// Inserts lattice point w. `near` is a tetrahedron in conflict with w or not far from it.

@@ -1,0 +1,194 @@
+#include "refine/empty_ball.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "lattice/ball.hpp"
+#include "refine/guarantees.hpp"
+#include "unsliver/error.hpp"
+
+namespace unsliver::refine {
+
+namespace {
+
+constexpr double kRounding =
+    1e-9;  // relative; covers the error of radii and distances in doubles many times over
+constexpr double kHurry =
+    0.1;  // a cell below this share of s is not split for long: a vertex costs less than the proof
+
+double square(double x) { return x * x; }
+Vec3 rounded(const Vec3& p) { return {std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)}; }
+
+[[noreturn]] void refuse_tiny_size(const Refinement& r, const EmptyBall& ball) {
+  const Vec3 p = r.world().to_caller(ball.center);
+  const double finest = lattice::covering_radius(r.world().finest_level()) * r.world().unit();
+  Error error(
+      ErrorCode::kLimit,
+      fmt::format(
+          "the size {} asked for at ({}, {}, {}) is below {}, the finest lattice that doubles can represent "
+          "across this domain; ask for larger sizes or move the domain nearer to the origin",
+          ball.size * r.world().unit(), p.x, p.y, p.z, finest));
+  error.places.push_back(p);
+  throw error;
+}
+
+/// "By Lemma 3 there exists a point w of SC_j in B": the first in lexicographic order.
+Vec3 first_in_ball(Level level, const Vec3& center) {
+  std::vector<Vec3> points;
+  lattice::points_in_ball(level, center, lattice::covering_radius(level), points);
+  return points.empty() ? lattice::nearest(level, center) : points.front();
+}
+
+}  // namespace
+
+EmptyBallSearch::LatticePoint EmptyBallSearch::point_for(const EmptyBall& ball) const {
+  Level level = lattice::coarsest_within((1 - kSizeSlack) * ball.size * (1 + 1e-12));
+  const bool literal = r_.strategy() == Strategy::kLiteral;
+  if (literal && lattice::is_bcc(level)) --level;
+  if (level < r_.world().finest_level()) refuse_tiny_size(r_, ball);
+  return {literal ? first_in_ball(level, ball.center) : lattice::nearest(level, ball.center), level};
+}
+
+std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
+  floor_ = floor;
+  if (circumsphere_covers(t)) return std::nullopt;
+  if (auto ball = try_circumcenter()) return ball;
+  return branch_and_bound(t);
+}
+
+/// What the circumsphere alone says. For p in t at distance d from c, some corner is within sqrt(R^2 - d^2)
+/// of p: the mean of the squared distances to the corners, weighted by p's barycentric coordinates, is
+/// exactly R^2 - d^2. And s(p) >= s(c) - L d, so that R sqrt(1 + L^2) <= s(c) covers all of t.
+bool EmptyBallSearch::circumsphere_covers(TetId t) {
+  sphere_ = geom::circumsphere(r_.mesh().corners(t));
+  const double radius = std::sqrt(sphere_.radius_sq) * (1 + kRounding), lipschitz = r_.lipschitz();
+  double least = std::max(floor_, r_.smallest_size());
+  if (radius <= least) return true;
+  center_size_ = r_.size_if_defined(sphere_.center);
+  if (center_size_) {
+    const double size = std::max(floor_, *center_size_);
+    if (radius * std::sqrt(1 + lipschitz * lipschitz) <= size) return true;
+    if (std::isfinite(lipschitz)) least = std::max(least, size - lipschitz * radius);
+  }
+  if (!r_.meets_domain(t)) return true;
+  const double reach = std::sqrt(std::max(0.0, radius * radius - least * least));
+  center_clearance_ = r_.clearance(sphere_.center);
+  return center_clearance_ > reach;  // farther than `reach` from c all is covered
+}
+
+/// The ball about c itself is empty by the Delaunay property: no search is needed when c is in the domain and
+/// R too large.
+std::optional<EmptyBall> EmptyBallSearch::try_circumcenter() const {
+  if (!center_size_ || center_clearance_ > 0) return std::nullopt;
+  if (center_clearance_ == 0 && !r_.contains(sphere_.center)) return std::nullopt;
+  const double size = std::max(floor_, *center_size_);
+  if (std::sqrt(sphere_.radius_sq) * (1 - kRounding) - 2 <= (1 - kSizeSlack) * size) return std::nullopt;
+  return EmptyBall{rounded(sphere_.center), size};
+}
+
+std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
+  aim_at(t);
+  while (!open_.empty()) {
+    Cell cell = open_.back();
+    open_.pop_back();
+    if (misses_tet(cell)) continue;
+    const auto center_size = r_.size_if_defined(cell.center);
+    if (covered(cell, size_lower_bound(cell, center_size))) continue;
+    const double clearance = cell.inside ? 0 : r_.clearance(cell.center), radius = norm(cell.half);
+    if (clearance > radius) continue;
+    cell.inside = cell.inside || clearance < -radius;
+    if (center_size)
+      if (auto ball = probe(cell, std::max(floor_, *center_size), t)) return ball;
+    split(cell);
+  }
+  return std::nullopt;
+}
+
+/// Starts with t's corners, facets and bounding box.
+void EmptyBallSearch::aim_at(TetId t) {
+  const Tet corners = r_.mesh().corners(t);
+  vertices_.assign(corners.begin(), corners.end());
+  for (int i = 0; i < 4; ++i) {
+    const int* f = delaunay::kFacetCorners[i];
+    const Vec3 normal = cross(corners[f[1]] - corners[f[0]], corners[f[2]] - corners[f[0]]);
+    inward_[i] = 1 / norm(normal) * normal;
+    offset_[i] = dot(inward_[i], corners[f[0]]);
+  }
+  const Box3 box = bounding_box(corners);
+  open_.assign(1, {box.center(), 0.5 * box.size(), false});
+}
+
+bool EmptyBallSearch::misses_tet(const Cell& cell) const {
+  for (int i = 0; i < 4; ++i) {
+    const Vec3& n = inward_[i];
+    const double reach =
+        std::abs(n.x) * cell.half.x + std::abs(n.y) * cell.half.y + std::abs(n.z) * cell.half.z;
+    if (dot(n, cell.center) + reach * (1 + kRounding) + 1 < offset_[i]) return true;
+  }
+  return false;
+}
+
+double EmptyBallSearch::size_lower_bound(const Cell& cell, std::optional<double> center_size) const {
+  const double least = std::max(floor_, r_.smallest_size());
+  if (center_size && std::isfinite(r_.lipschitz()))
+    return std::max(least, *center_size - r_.lipschitz() * norm(cell.half));
+  return std::max(least, r_.size_lower_bound({cell.center - cell.half, cell.center + cell.half}));
+}
+
+double EmptyBallSearch::nearest_listed_sq(const Vec3& q) const {
+  double nearest_sq = std::numeric_limits<double>::infinity();
+  for (const Vec3& v : vertices_) nearest_sq = std::min(nearest_sq, dist_sq(v, q));
+  return nearest_sq;
+}
+
+/// A cell is covered if one vertex reaches all of it, or if it keeps away from c (see circumsphere_covers).
+bool EmptyBallSearch::covered(const Cell& cell, double size) const {
+  const double radius = norm(cell.half) * (1 + kRounding);
+  if (std::sqrt(nearest_listed_sq(cell.center)) * (1 + kRounding) + radius <= size) return true;
+  const double away = std::max(0.0, dist(cell.center, sphere_.center) * (1 - kRounding) - radius);
+  return sphere_.radius_sq * (1 + kRounding) - away * away <= size * size;
+}
+
+/// Tries the cell's centre where it is in t and in the domain; a tiny cell counts as if it were. `size` is s
+/// at the centre.
+std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, double size, TetId t) {
+  const EmptyBall ball{rounded(cell.center), size};
+  const double radius = norm(cell.half), nearest_sq = nearest_listed_sq(ball.center);
+  const bool hurry = radius <= kHurry * size && r_.strategy() != Strategy::kLiteral;
+  if (nearest_sq <= square((hurry ? 1 - 2 * kHurry : 1 - kSizeSlack) * size)) return std::nullopt;
+  if (radius > kWitnessSlack * size &&
+      (misses_tet({ball.center, {}, false}) || (!cell.inside && !r_.contains(ball.center))))
+    return std::nullopt;
+  if (nearest_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
+  vertices_.push_back(r_.mesh().point(r_.nearest_vertex(ball.center, t)));
+  if (dist_sq(vertices_.back(), ball.center) <= square((1 - kSizeSlack) * size)) return std::nullopt;
+  return ball;
+}
+
+/// Thrifty: to show that a small cell is covered can cost more than a vertex. Where its centre is nearly
+/// uncovered the vertex is inserted at once: its certificate, c s(p) + |pw|, does not depend on emptiness. If
+/// it is there already, it joins the list.
+std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBall& ball, TetId t) {
+  const Vec3 w = point_for(ball).w;
+  if (std::find(vertices_.begin(), vertices_.end(), w) != vertices_.end()) return std::nullopt;
+  if (r_.mesh().corner_at(r_.mesh().locate(w, t), w) == kNoVertex) return ball;
+  vertices_.push_back(w);
+  return std::nullopt;
+}
+
+/// Halves the longest side. Below the resolution of the world nothing is left to find.
+void EmptyBallSearch::split(const Cell& cell) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+    if (cell.half[i] > cell.half[axis]) axis = i;
+  if (cell.half[axis] <= 1) return;
+  Cell part = cell;
+  part.half[axis] *= 0.5;
+  for (const int side : {-1, 1}) {
+    part.center[axis] = cell.center[axis] + side * part.half[axis];
+    open_.push_back(part);
+  }
+}
+
+}  // namespace unsliver::refine

@@ -1,0 +1,208 @@
+// Figure 5 from the outside: whatever the domain and the size, the guarantees hold, judged by the independent
+// verifier.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "refine/guarantees.hpp"
+#include "unsliver/error.hpp"
+#include "unsliver/refine.hpp"
+#include "unsliver/verify.hpp"
+
+namespace unsliver {
+namespace {
+
+struct Job {
+  std::string name;
+  DomainPtr domain;
+  SizingPtr size;
+};
+
+TriangleMesh tetrahedron_surface() {
+  return {{{0, 0, 0}, {2, 0, 0.1}, {0.3, 1.7, 0}, {0.2, 0.3, 1.5}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+          "tetrahedron"};
+}
+
+std::vector<Job> jobs() {
+  const DomainPtr ball = make_ball({0.1, 0.2, 0.3}, 1);
+  const DomainPtr box = make_box({{-1, 0, 2}, {1, 0.5, 3}});
+  const DomainPtr torus =
+      make_implicit("(sqrt(x^2 + y^2) - 1)^2 + z^2 - 0.1", {{-1.5, -1.5, -0.5}, {1.5, 1.5, 0.5}});
+  const DomainPtr far = make_ball({1e6, -2e6, 3e6}, 0.01);
+  const DomainPtr solid = make_surface(tetrahedron_surface());
+  const double inf = std::numeric_limits<double>::infinity();
+  return {
+      {"ball, constant", ball, constant_size(0.15)},
+      {"ball, size as large as the domain", ball, constant_size(1.5)},
+      {"ball, infinite size", ball, constant_size(1e300)},
+      {"ball, graded from a point", ball, graded_from_points({{0.3, 0.2, 0.1}}, {0.01}, 0.3, inf)},
+      {"ball, formula", ball, expression_size("0.1 + 0.2 * abs(x)", ball->bounds())},
+      {"ball, steep formula", ball, expression_size("0.05 + 0.9 * abs(z - 0.3)", ball->bounds())},
+      {"box, constant", box, constant_size(0.1)},
+      {"torus, constant", torus, constant_size(0.12)},
+      {"small ball far away, constant", far, constant_size(0.002)},
+      {"surface, constant", solid, constant_size(0.2)},
+      {"surface, graded", solid, graded_from_surface(tetrahedron_surface(), 0.06, 0.4, inf)},
+  };
+}
+
+std::vector<Vec3> points_inside(const Domain& domain, std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const Box3 box = domain.bounds();
+  std::vector<Vec3> points;
+  for (std::size_t trial = 0; trial < 1000 * count && points.size() < count; ++trial) {
+    const Vec3 p{box.lo.x + unit() * box.size().x, box.lo.y + unit() * box.size().y,
+                 box.lo.z + unit() * box.size().z};
+    if (domain.contains(p)) points.push_back(p);
+  }
+  return points;
+}
+
+VerifyReport judge(const Job& job, const TetMesh& mesh) {
+  VerifyOptions options;
+  options.guarantee = QualityGuarantee{};
+  options.delaunay_global = mesh.tets.size() < 20000;
+  options.size = [&](const Vec3& p) { return job.size->at(p); };
+  options.inside = [&](const Vec3& p) { return job.domain->contains(p); };
+  options.size_samples = 20000;
+  options.must_cover = points_inside(*job.domain, 5000, 42);
+  return verify(mesh, options);
+}
+
+void expect_verified(const Job& job, const TetMesh& mesh) {
+  EXPECT_FALSE(mesh.tets.empty());
+  const VerifyReport report = judge(job, mesh);
+  EXPECT_TRUE(report.ok);
+  for (const Finding& finding : report.findings) ADD_FAILURE() << finding.check << ": " << finding.message;
+}
+
+TEST(Figure5, ThriftyKeepsEveryGuarantee) {
+  for (const Job& job : jobs()) {
+    SCOPED_TRACE(job.name);
+    const MeshResult result = mesh_domain(*job.domain, *job.size);
+    EXPECT_EQ(result.status, MeshStatus::kDone);
+    expect_verified(job, result.mesh);
+  }
+}
+
+TEST(Figure5, LiteralKeepsEveryGuarantee) {
+  MeshOptions options;
+  options.strategy = Strategy::kLiteral;
+  for (const Job& job : jobs()) {
+    SCOPED_TRACE(job.name);
+    expect_verified(job, mesh_domain(*job.domain, *job.size, options).mesh);
+  }
+}
+
+TEST(Figure5, ThriftyNeedsFewerVerticesThanLiteral) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  MeshOptions literal;
+  literal.strategy = Strategy::kLiteral;
+  for (const SizingPtr& size : {constant_size(0.1), graded_from_points({{0, 0, 1}}, {0.03}, 0.2, 1e300)}) {
+    const std::size_t thrifty_count = mesh_domain(*ball, *size).mesh.points.size();
+    const std::size_t literal_count = mesh_domain(*ball, *size, literal).mesh.points.size();
+    EXPECT_LT(thrifty_count, 0.8 * static_cast<double>(literal_count)) << size->describe();
+  }
+}
+
+TEST(Figure5, TheSameJobGivesTheSameMesh) {
+  const Job job = jobs()[3];
+  const TetMesh a = mesh_domain(*job.domain, *job.size).mesh;
+  const TetMesh b = mesh_domain(*job.domain, *job.size).mesh;
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.tets, b.tets);
+  EXPECT_EQ(a.levels, b.levels);
+}
+
+TEST(Figure5, ConstantSizeInALargeBallComesNearTheThinnestCovering) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  const double s = 0.03;
+  const double ideal = 4.18879 / (2.862 * s * s * s);
+  const double used = static_cast<double>(mesh_domain(*ball, *constant_size(s)).mesh.points.size());
+  EXPECT_LT(used / ideal, 1.25);
+  EXPECT_GT(used / ideal, 0.95);
+}
+
+TEST(Figure5, LatticeTiesStayInTheCheapExactStage) {
+  const MeshStats stats = mesh_domain(*make_ball({0, 0, 0}, 1), *constant_size(0.06)).stats;
+  EXPECT_GT(stats.insphere_tie, 10000u);
+  EXPECT_EQ(stats.insphere_wide, 0u);
+}
+
+TEST(Figure5, RelaxedDemandsNeedFewerVertices) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  const SizingPtr size = graded_from_points({{0, 0, 1}}, {0.02}, 0.5, 1e300);
+  MeshOptions relaxed;
+  relaxed.min_dihedral_deg = 15;
+  relaxed.max_dihedral_deg = 150;
+  relaxed.max_radius_edge = 1.5;
+  const MeshResult result = mesh_domain(*ball, *size, relaxed);
+  EXPECT_LT(result.mesh.points.size(), mesh_domain(*ball, *size).mesh.points.size());
+  VerifyOptions options;
+  options.guarantee = QualityGuarantee{15, 150, 1.5};
+  EXPECT_TRUE(verify(result.mesh, options).ok);
+}
+
+TEST(Figure5, RefusesDemandsThatNoTheoremBacks) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  const SizingPtr size = constant_size(0.5);
+  const auto refused = [&](double min_angle, double max_angle, double ratio) {
+    MeshOptions options;
+    options.min_dihedral_deg = min_angle;
+    options.max_dihedral_deg = max_angle;
+    options.max_radius_edge = ratio;
+    try {
+      mesh_domain(*ball, *size, options);
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::kBadOption;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused(31, 135, 1.2));
+  EXPECT_TRUE(refused(30, 134, 1.2));
+  EXPECT_TRUE(refused(30, 135, 1.1));
+  EXPECT_TRUE(refused(std::nan(""), 135, 1.2));
+  EXPECT_FALSE(refused(0, 180, 10));
+}
+
+TEST(Figure5, ACapEndsTheRunWithAValidMesh) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  MeshOptions options;
+  options.max_tets = 5000;
+  const MeshResult result = mesh_domain(*ball, *constant_size(0.02), options);
+  EXPECT_EQ(result.status, MeshStatus::kTetCap);
+  EXPECT_LT(result.stats.total_tets, 8000u);
+  EXPECT_TRUE(verify(result.mesh, VerifyOptions{}).ok);
+}
+
+TEST(Figure5, CancelIsHeardSoon) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  int polls = 0;
+  Control control;
+  control.cancelled = [&] { return ++polls >= 3; };
+  EXPECT_EQ(mesh_domain(*ball, *constant_size(0.02), {}, control).status, MeshStatus::kCancelled);
+  EXPECT_EQ(polls, 3);
+}
+
+TEST(Figure5, ASizeThatDoublesCannotResolveIsRefused) {
+  const DomainPtr far = make_ball({1e9, 0, 0}, 1);
+  const SizingPtr tiny = graded_from_points({{1e9, 0, 0}}, {1e-9}, 0.5, 1e300);
+  EXPECT_THROW(mesh_domain(*far, *tiny), Error);
+}
+
+TEST(Estimate, IsGoodToAFactorOfTwo) {
+  for (const Job& job : jobs()) {
+    SCOPED_TRACE(job.name);
+    const double estimated = estimate_size(*job.domain, *job.size, {}).tets;
+    const double made = static_cast<double>(mesh_domain(*job.domain, *job.size).mesh.tets.size());
+    if (made < 5000) continue;
+    EXPECT_LT(estimated, 2 * made);
+    EXPECT_GT(estimated, 0.5 * made);
+  }
+}
+
+}  // namespace
+}  // namespace unsliver
