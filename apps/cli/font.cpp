@@ -87,7 +87,8 @@ static_assert(well_formed());
 }  // namespace
 
 bool glyph_dot(char c, int column, int row) {
-  return rows_of(c)[static_cast<std::size_t>(row * (kGlyphWidth + 1) + column)] == '1';
+  const int dot = row * (kGlyphWidth + 1) + column;
+  return rows_of(c)[static_cast<std::size_t>(dot)] == '1';
 }
 
 }  // namespace unsliver::cli

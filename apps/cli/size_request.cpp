@@ -61,7 +61,7 @@ bool varies(const SizeRequest& request) {
 
 /// Parsed as typed first, so that columns in error messages are those of the text the user sees.
 SizingPtr formula(const Typed& typed, const Box3& bounds) {
-  const SizingPtr plain = expression_size(*typed.text, bounds);
+  SizingPtr plain = expression_size(*typed.text, bounds);
   if (typed.factor == 1) return plain;
   return expression_size(fmt::format("{:.17g} * ({})", typed.factor, *typed.text), bounds);
 }
