@@ -14,8 +14,10 @@ namespace {
 
 constexpr double kRounding =
     1e-9;  // relative; covers the error of radii and distances in doubles many times over
-constexpr double kHurry =
-    0.1;  // a cell below this share of s is not split for long: a vertex costs less than the proof
+// A cell below this share of s is not split for long: a vertex costs less than the proof that none is needed.
+constexpr double kLiteralHurry = kWitnessSlack;
+constexpr double kThriftyHurry = 0.1;
+constexpr int kPollInterval = 1024;  // cells
 
 double square(double x) { return x * x; }
 Vec3 rounded(const Vec3& p) { return {std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)}; }
@@ -89,23 +91,27 @@ std::optional<EmptyBall> EmptyBallSearch::try_circumcenter() const {
 
 std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
   aim_at(t);
-  while (!open_.empty()) {
+  for (int cells = 1; !open_.empty(); ++cells) {
+    if (cells % kPollInterval == 0) r_.poll();
     Cell cell = open_.back();
     open_.pop_back();
     if (misses_tet(cell)) continue;
     const auto center_size = r_.size_if_defined(cell.center);
-    if (covered(cell, size_lower_bound(cell, center_size))) continue;
+    const double least = size_lower_bound(cell, center_size);
+    if (covered(cell, least)) continue;
     const double clearance = cell.inside ? 0 : r_.clearance(cell.center), radius = norm(cell.half);
     if (clearance > radius) continue;
     cell.inside = cell.inside || clearance < -radius;
+    // Where s may jump, a tiny cell counts with the least s in it.
+    const bool jump = radius <= kWitnessSlack * least && !std::isfinite(r_.lipschitz());
     if (center_size)
-      if (auto ball = probe(cell, std::max(floor_, *center_size), t)) return ball;
+      if (auto ball = probe(cell, jump ? least : std::max(floor_, *center_size), t)) return ball;
     split(cell);
   }
   return std::nullopt;
 }
 
-/// Starts with t's corners, facets and bounding box.
+/// Starts with t's corners, its facets and the part of its bounding box in the domain's.
 void EmptyBallSearch::aim_at(TetId t) {
   const Tet corners = r_.mesh().corners(t);
   vertices_.assign(corners.begin(), corners.end());
@@ -115,7 +121,11 @@ void EmptyBallSearch::aim_at(TetId t) {
     inward_[i] = 1 / norm(normal) * normal;
     offset_[i] = dot(inward_[i], corners[f[0]]);
   }
-  const Box3 box = bounding_box(corners);
+  Box3 box = bounding_box(corners);
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lo[axis] = std::max(box.lo[axis], r_.domain_box().lo[axis]);
+    box.hi[axis] = std::min(box.hi[axis], r_.domain_box().hi[axis]);
+  }
   open_.assign(1, {box.center(), 0.5 * box.size(), false});
 }
 
@@ -155,8 +165,9 @@ bool EmptyBallSearch::covered(const Cell& cell, double size) const {
 std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, double size, TetId t) {
   const EmptyBall ball{rounded(cell.center), size};
   const double radius = norm(cell.half), nearest_sq = nearest_listed_sq(ball.center);
-  const bool hurry = radius <= kHurry * size && r_.strategy() != Strategy::kLiteral;
-  if (nearest_sq <= square((hurry ? 1 - 2 * kHurry : 1 - kSizeSlack) * size)) return std::nullopt;
+  const double hurry = r_.strategy() == Strategy::kLiteral ? kLiteralHurry : kThriftyHurry;
+  const double share = radius <= hurry * size ? 1 - 2 * hurry : 1 - kSizeSlack;
+  if (nearest_sq <= square(share * size)) return std::nullopt;
   if (radius > kWitnessSlack * size &&
       (misses_tet({ball.center, {}, false}) || (!cell.inside && !r_.contains(ball.center))))
     return std::nullopt;
@@ -166,9 +177,9 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, double size, T
   return ball;
 }
 
-/// Thrifty: to show that a small cell is covered can cost more than a vertex. Where its centre is nearly
-/// uncovered the vertex is inserted at once: its certificate, c s(p) + |pw|, does not depend on emptiness. If
-/// it is there already, it joins the list.
+/// To show that a small cell is covered can cost more than a vertex, or not end where the bound is attained.
+/// Where its centre is nearly uncovered the vertex is inserted at once: its certificate, c s(p) + |pw|, does
+/// not depend on emptiness. If it is there already, it joins the list.
 std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBall& ball, TetId t) {
   const Vec3 w = point_for(ball).w;
   if (std::find(vertices_.begin(), vertices_.end(), w) != vertices_.end()) return std::nullopt;

@@ -14,7 +14,7 @@
 
 namespace unsliver::refine {
 
-/// A point p of the domain whose ball of radius (1 - kSizeSlack) s(p) is empty (thrifty: or nearly so).
+/// A point p of the domain whose ball of radius (1 - kSizeSlack) s(p) is empty, or nearly so (see probe).
 struct EmptyBall {
   Vec3 center;  ///< p, an integer point, in the domain or within kWitnessSlack s of it
   double size;  ///< s(p)

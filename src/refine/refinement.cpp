@@ -45,6 +45,7 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, const MeshOpt
       caller_bounds_(domain.bounds()),
       lipschitz_(sizing.lipschitz()),
       bounds_(quality_bounds(options)) {
+  domain_box_ = {world_.to_world_real(caller_bounds_.lo), world_.to_world_real(caller_bounds_.hi)};
   size_cap_ = caller_bounds_.diagonal() / world_.unit();
   size_floor_ = std::min(size_cap_, sizing.lower_bound(caller_bounds_) / world_.unit());
   if (lipschitz_ == 0) constant_size_ = size_floor_;
@@ -118,9 +119,14 @@ double Refinement::size_lower_bound(const Box3& box) const {
 
 std::optional<double> Refinement::size_if_defined(const Vec3& p) const {
   if (constant_size_ > 0) return constant_size_;
-  if (!caller_bounds_.contains(world_.to_caller(p))) return std::nullopt;
+  Vec3 x = world_.to_caller(p);
+  for (int axis = 0; axis < 3; ++axis) {  // a point of the domain's box may leave it by rounding
+    const double inside = std::clamp(x[axis], caller_bounds_.lo[axis], caller_bounds_.hi[axis]);
+    if (std::abs(x[axis] - inside) > 2 * world_.unit()) return std::nullopt;
+    x[axis] = inside;
+  }
   try {
-    return size_at(p);
+    return std::min(size_cap_, sizing_.at(x) / world_.unit());
   } catch (const Error&) {
     return std::nullopt;  // outside the domain a size may be anything: where it matters size_at reports it
   }
@@ -152,7 +158,7 @@ VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
 }
 
 void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near) {
-  if (insertions_++ % kCheckInterval == 0) check_caps();
+  if (insertions_++ % kCheckInterval == 0) poll();
   if (!mesh_.in_conflict(near, w)) near = mesh_.locate(w, near);
   assert(mesh_.corner_at(near, w) == kNoVertex);
   mesh_.insert_in_conflict(w, near);
@@ -163,7 +169,7 @@ std::uint64_t Refinement::bytes() const {
   return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes() + sizes_.bytes();
 }
 
-void Refinement::check_caps() {
+void Refinement::poll() {
   stats_.peak_bytes = std::max(stats_.peak_bytes, bytes());
   if (options_.max_tets != 0 && mesh_.tet_count() > options_.max_tets) throw Stopped{MeshStatus::kTetCap};
   if (options_.max_memory_bytes != 0 && stats_.peak_bytes > options_.max_memory_bytes)

@@ -38,6 +38,8 @@ class Refinement {
   delaunay::Triangulation& mesh() { return mesh_; }
   const lattice::World& world() const { return world_; }
   const Domain& domain() const { return domain_; }
+  /// The domain's bounding box, in world units, not rounded to integers.
+  const Box3& domain_box() const { return domain_box_; }
   const exact::QualityBounds& bounds() const { return bounds_; }
   Strategy strategy() const { return options_.strategy; }
   MeshStats& stats() { return stats_; }
@@ -82,6 +84,10 @@ class Refinement {
   void insert(const Vec3& w, Level label, double lfs_bound, TetId near);
   std::span<const TetId> created() const { return mesh_.created(); }
 
+  /// Reports progress, and ends the run when a cap is met or the caller cancelled it. Called often by long
+  /// searches. \throws Stopped
+  void poll();
+
   /// Names the phase for progress reports and closes the timing of the one before.
   void enter_phase(const char* name);
   void finish_phases();
@@ -89,7 +95,6 @@ class Refinement {
  private:
   void start_from_cube();
   void add_vertex_arrays(Level label, double lfs_bound);
-  void check_caps();
   void report_progress();
   std::uint64_t bytes() const;
 
@@ -98,7 +103,7 @@ class Refinement {
   const MeshOptions& options_;
   const Control& control_;
   lattice::World world_;
-  Box3 caller_bounds_;
+  Box3 caller_bounds_, domain_box_;
   double lipschitz_, constant_size_ = 0, size_cap_, size_floor_;
   exact::QualityBounds bounds_;
 
