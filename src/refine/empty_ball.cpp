@@ -16,7 +16,7 @@ constexpr double kRounding =
     1e-9;  // relative; covers the error of radii and distances in doubles many times over
 // A cell below this share of s is not split for long: a vertex costs less than the proof that none is needed.
 constexpr double kLiteralHurry = kWitnessSlack;
-constexpr double kThriftyHurry = 0.1;
+constexpr double kThriftyHurry = 0.2;
 constexpr int kPollInterval = 1024;  // cells
 
 double square(double x) { return x * x; }
@@ -50,6 +50,19 @@ EmptyBallSearch::LatticePoint EmptyBallSearch::point_for(const EmptyBall& ball) 
   if (literal && lattice::is_bcc(level)) --level;
   if (level < r_.world().finest_level()) refuse_tiny_size(r_, ball);
   return {literal ? first_in_ball(level, ball.center) : lattice::nearest(level, ball.center), level};
+}
+
+double EmptyBallSearch::nearest_sq(const Cell& cell, const Vec3& p) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    sum += square(std::max(0.0, std::abs(p[axis] - cell.center[axis]) - cell.half[axis]));
+  return sum;
+}
+
+double EmptyBallSearch::farthest_sq(const Cell& cell, const Vec3& p) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) sum += square(std::abs(p[axis] - cell.center[axis]) + cell.half[axis]);
+  return sum;
 }
 
 std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
@@ -154,10 +167,10 @@ double EmptyBallSearch::nearest_listed_sq(const Vec3& q) const {
 
 /// A cell is covered if one vertex reaches all of it, or if it keeps away from c (see circumsphere_covers).
 bool EmptyBallSearch::covered(const Cell& cell, double size) const {
-  const double radius = norm(cell.half) * (1 + kRounding);
-  if (std::sqrt(nearest_listed_sq(cell.center)) * (1 + kRounding) + radius <= size) return true;
-  const double away = std::max(0.0, dist(cell.center, sphere_.center) * (1 - kRounding) - radius);
-  return sphere_.radius_sq * (1 + kRounding) - away * away <= size * size;
+  const double size_sq = square(size) * (1 - kRounding);
+  if (sphere_.radius_sq * (1 + kRounding) - nearest_sq(cell, sphere_.center) <= size_sq) return true;
+  return std::any_of(vertices_.begin(), vertices_.end(),
+                     [&](const Vec3& v) { return farthest_sq(cell, v) <= size_sq; });
 }
 
 /// Tries the cell's centre where it is in t and in the domain; a tiny cell counts as if it were. `size` is s
@@ -166,7 +179,7 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, double size, T
   const EmptyBall ball{rounded(cell.center), size};
   const double radius = norm(cell.half), nearest_sq = nearest_listed_sq(ball.center);
   const double hurry = r_.strategy() == Strategy::kLiteral ? kLiteralHurry : kThriftyHurry;
-  const double share = radius <= hurry * size ? 1 - 2 * hurry : 1 - kSizeSlack;
+  const double share = radius <= hurry * size ? 1 - hurry : 1 - kSizeSlack;
   if (nearest_sq <= square(share * size)) return std::nullopt;
   if (radius > kWitnessSlack * size &&
       (misses_tet({ball.center, {}, false}) || (!cell.inside && !r_.contains(ball.center))))
@@ -188,17 +201,21 @@ std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBa
   return std::nullopt;
 }
 
-/// Halves the longest side. Below the resolution of the world nothing is left to find.
+/// Halves every long side. Below the resolution of the world nothing is left to find.
 void EmptyBallSearch::split(const Cell& cell) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i)
-    if (cell.half[i] > cell.half[axis]) axis = i;
-  if (cell.half[axis] <= 1) return;
-  Cell part = cell;
-  part.half[axis] *= 0.5;
-  for (const int side : {-1, 1}) {
-    part.center[axis] = cell.center[axis] + side * part.half[axis];
-    open_.push_back(part);
+  const double longest = std::max({cell.half.x, cell.half.y, cell.half.z});
+  if (longest <= 1) return;
+  const std::size_t first = open_.size();
+  open_.push_back(cell);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (cell.half[axis] <= 0.6 * longest) continue;
+    for (std::size_t i = first, end = open_.size(); i < end; ++i) {
+      open_[i].half[axis] *= 0.5;
+      Cell other = open_[i];
+      open_[i].center[axis] -= other.half[axis];
+      other.center[axis] += other.half[axis];
+      open_.push_back(other);
+    }
   }
 }
 

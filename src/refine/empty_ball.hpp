@@ -43,6 +43,10 @@ class EmptyBallSearch {
     bool inside;  ///< known to lie in the domain
   };
 
+  /// Squared distances from p to the nearest and the farthest point of a cell.
+  static double nearest_sq(const Cell& cell, const Vec3& p);
+  static double farthest_sq(const Cell& cell, const Vec3& p);
+
   bool circumsphere_covers(TetId t);
   std::optional<EmptyBall> try_circumcenter() const;
   std::optional<EmptyBall> branch_and_bound(TetId t);
