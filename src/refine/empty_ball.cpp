@@ -87,9 +87,9 @@ bool EmptyBallSearch::circumsphere_covers(TetId t) {
     if (std::isfinite(lipschitz)) least = std::max(least, size - lipschitz * radius);
   }
   if (!r_.meets_domain(t)) return true;
-  const double reach = std::sqrt(std::max(0.0, radius * radius - least * least));
+  reach_ = std::sqrt(std::max(0.0, radius * radius - least * least));
   center_clearance_ = r_.clearance(sphere_.center);
-  return center_clearance_ > reach;  // farther than `reach` from c all is covered
+  return center_clearance_ > reach_;  // farther than this from c all is covered
 }
 
 /// The ball about c itself is empty by the Delaunay property: no search is needed when c is in the domain and
@@ -124,7 +124,8 @@ std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
   return std::nullopt;
 }
 
-/// Starts with t's corners, its facets and the part of its bounding box in the domain's.
+/// Starts with t's corners, its facets, and the part of its bounding box that can be in the domain and
+/// uncovered.
 void EmptyBallSearch::aim_at(TetId t) {
   const Tet corners = r_.mesh().corners(t);
   vertices_.assign(corners.begin(), corners.end());
@@ -136,10 +137,11 @@ void EmptyBallSearch::aim_at(TetId t) {
   }
   Box3 box = bounding_box(corners);
   for (int axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = std::max(box.lo[axis], r_.domain_box().lo[axis]);
-    box.hi[axis] = std::min(box.hi[axis], r_.domain_box().hi[axis]);
+    box.lo[axis] = std::max({box.lo[axis], r_.domain_box().lo[axis], sphere_.center[axis] - reach_});
+    box.hi[axis] = std::min({box.hi[axis], r_.domain_box().hi[axis], sphere_.center[axis] + reach_});
   }
-  open_.assign(1, {box.center(), 0.5 * box.size(), false});
+  open_.clear();
+  if (!box.empty()) open_.push_back({box.center(), 0.5 * box.size(), false});
 }
 
 bool EmptyBallSearch::misses_tet(const Cell& cell) const {

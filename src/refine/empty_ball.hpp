@@ -63,6 +63,7 @@ class EmptyBallSearch {
   double floor_ = 0;
   geom::Sphere sphere_;                ///< c and R^2
   std::optional<double> center_size_;  ///< s(c)
+  double reach_ = 0;                   ///< farther than this from c all of t is covered
   double center_clearance_ = 0;        ///< of c, see Domain::clearance
   Vec3 inward_[4];                     ///< unit normals of t's facets
   double offset_[4];                   ///< p is in t where inward . p >= offset for all four
