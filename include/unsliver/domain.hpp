@@ -31,6 +31,13 @@ class Domain {
   /// wholly inside the domain when c < 0, wholly outside when c > 0. 0 = nothing is known.
   virtual double clearance(const Vec3& p) const = 0;
 
+  /// +1 if the open ball about p lies certainly outside the domain, -1 if certainly inside, 0 if it may do
+  /// neither. Often cheaper than `clearance`, because the search ends where the ball does.
+  virtual int side_of_ball(const Vec3& p, double radius) const {
+    const double c = clearance(p);
+    return c >= radius ? 1 : c <= -radius ? -1 : 0;
+  }
+
   /// False only if the interior of t is certainly disjoint from the domain.
   virtual bool meets(const Tet& t) const = 0;
 

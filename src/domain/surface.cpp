@@ -45,7 +45,7 @@ class SurfaceDomain final : public Domain {
         grid_(surface, bounds_, region_),
         volume_(clean_ ? std::abs(d.signed_volume) : grid_.inside_volume()),
         description_(fmt::format("surface {}, {} triangles, {}", surface.name, surface.triangles.size(),
-                                 clean_       ? "closed and clean"
+                                 clean_ ? notes.empty() ? "closed and clean" : "closed, clean after repairs"
                                  : d.closed() ? "closed, not clean"
                                               : "open")),
         notes_(std::move(notes)) {}
@@ -66,6 +66,12 @@ class SurfaceDomain final : public Domain {
     if (region_.is_closed()) return grid_.holds(p) ? -radius : radius;
     const double fine = within_bounds(p, region_.clearance(p, radius));
     return std::abs(fine) > std::abs(coarse) ? fine : coarse;
+  }
+
+  int side_of_ball(const Vec3& p, double radius) const override {
+    const double coarse = bounds_.contains(p) ? std::abs(grid_.clearance(p)) : 0;
+    if (coarse < radius && region_.is_closed() && !region_.tree().is_clear(p, radius)) return 0;
+    return Domain::side_of_ball(p, radius);
   }
 
   bool meets(const Tet& t) const override {

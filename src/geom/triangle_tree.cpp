@@ -128,6 +128,16 @@ double TriangleTree::clear_radius(const Vec3& p) const {
   return impl_->certainly(std::sqrt(std::min(best_sq, skipped_sq)));
 }
 
+bool TriangleTree::is_clear(const Vec3& p, double radius) const {
+  const auto reaches = [&](double distance_sq) { return impl_->certainly(std::sqrt(distance_sq)) < radius; };
+  return !impl_->tree.walk([&](const BoxTree::Node& node) { return reaches(dist_sq(p, node.box)); },
+                           [&](std::uint32_t first, std::uint32_t count) {
+                             for (std::uint32_t i = first; i < first + count; ++i)
+                               if (reaches(dist_sq(p, closest_point(impl_->triangles[i], p)))) return true;
+                             return false;
+                           });
+}
+
 double TriangleTree::distance_lower_bound(const Box3& box) const {
   const double radius = 0.5 * box.diagonal();
   const double at_center = impl_->certainly(nearest(box.center(), kInfinity).distance);

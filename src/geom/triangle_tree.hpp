@@ -32,6 +32,8 @@ class TriangleTree {
   /// r >= 0: no point of the surface is closer to p than r, certainly; r is at least 0.7 times the distance
   /// to the surface (but for rounding). Much faster than `nearest` where many triangles are equally far.
   double clear_radius(const Vec3& p) const;
+  /// Is the open ball about p certainly free of triangles? Ends at the first triangle that may be in it.
+  bool is_clear(const Vec3& p, double radius) const;
   /// A lower bound of the distance from any point of the box to the surface; 0 if they may meet.
   double distance_lower_bound(const Box3& box) const;
   /// Generalized winding number at p (hierarchical; absolute error below 1e-3 away from the surface).

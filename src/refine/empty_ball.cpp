@@ -112,9 +112,10 @@ std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
     const auto center_size = r_.size_if_defined(cell.center);
     const double least = size_lower_bound(cell, center_size);
     if (covered(cell, least)) continue;
-    const double clearance = cell.inside ? 0 : r_.clearance(cell.center), radius = norm(cell.half);
-    if (clearance > radius) continue;
-    cell.inside = cell.inside || clearance < -radius;
+    const double radius = norm(cell.half);
+    const int side = cell.inside ? -1 : r_.side_of_ball(cell.center, radius);
+    if (side > 0) continue;
+    cell.inside = side < 0;
     // Where s may jump, a tiny cell counts with the least s in it.
     const bool jump = radius <= kWitnessSlack * least && !std::isfinite(r_.lipschitz());
     if (center_size)
@@ -179,14 +180,14 @@ bool EmptyBallSearch::covered(const Cell& cell, double size) const {
 /// at the centre.
 std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, double size, TetId t) {
   const EmptyBall ball{rounded(cell.center), size};
-  const double radius = norm(cell.half), nearest_sq = nearest_listed_sq(ball.center);
+  const double radius = norm(cell.half), listed_sq = nearest_listed_sq(ball.center);
   const double hurry = r_.strategy() == Strategy::kLiteral ? kLiteralHurry : kThriftyHurry;
   const double share = radius <= hurry * size ? 1 - hurry : 1 - kSizeSlack;
-  if (nearest_sq <= square(share * size)) return std::nullopt;
+  if (listed_sq <= square(share * size)) return std::nullopt;
   if (radius > kWitnessSlack * size &&
       (misses_tet({ball.center, {}, false}) || (!cell.inside && !r_.contains(ball.center))))
     return std::nullopt;
-  if (nearest_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
+  if (listed_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
   vertices_.push_back(r_.mesh().point(r_.nearest_vertex(ball.center, t)));
   if (dist_sq(vertices_.back(), ball.center) <= square((1 - kSizeSlack) * size)) return std::nullopt;
   return ball;

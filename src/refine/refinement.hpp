@@ -58,6 +58,10 @@ class Refinement {
   double clearance(const Vec3& p) const {
     return domain_.clearance(world_.to_caller(p)) / world_.unit() * (1 - 1e-12);
   }
+  /// See Domain::side_of_ball.
+  int side_of_ball(const Vec3& p, double radius) const {
+    return domain_.side_of_ball(world_.to_caller(p), radius * (1 + 1e-12) * world_.unit());
+  }
   /// Dihedral angle or radius-edge ratio out of bounds, decided exactly.
   bool is_bad(TetId t) { return exact::is_bad(mesh_.corners(t), bounds_, quality_counts_); }
 
