@@ -65,11 +65,15 @@ double EmptyBallSearch::farthest_sq(const Cell& cell, const Vec3& p) {
   return sum;
 }
 
-std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
+std::optional<EmptyBall> EmptyBallSearch::find_quickly(TetId t, double floor) {
   floor_ = floor;
-  if (circumsphere_covers(t)) return std::nullopt;
-  if (auto ball = try_circumcenter()) return ball;
-  return branch_and_bound(t);
+  open_question_ = !circumsphere_covers(t);
+  return open_question_ ? try_circumcenter() : std::nullopt;
+}
+
+std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
+  if (auto ball = find_quickly(t, floor)) return ball;
+  return open_question_ ? branch_and_bound(t) : std::nullopt;
 }
 
 /// What the circumsphere alone says. For p in t at distance d from c, some corner is within sqrt(R^2 - d^2)

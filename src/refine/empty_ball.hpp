@@ -28,6 +28,9 @@ class EmptyBallSearch {
   /// if every p of t in the domain has a vertex within max(s(p), floor).
   std::optional<EmptyBall> find(TetId t, double floor);
 
+  /// Only t's circumball is looked at: what it finds is an empty ball, what it does not find proves nothing.
+  std::optional<EmptyBall> find_quickly(TetId t, double floor);
+
   /// The lattice point that a size insertion takes: within r(level) of p. Literal: the first point found of
   /// SC_j, j the largest with r(SC_j) <= s(p). Thrifty: the nearest point of the coarsest level, SC or BCC,
   /// that fits. \throws Error kLimit when no usable level is that fine.
@@ -61,6 +64,7 @@ class EmptyBallSearch {
 
   Refinement& r_;
   double floor_ = 0;
+  bool open_question_ = false;         ///< t's circumball did not settle whether t is covered
   geom::Sphere sphere_;                ///< c and R^2
   std::optional<double> center_size_;  ///< s(c)
   double reach_ = 0;                   ///< farther than this from c all of t is covered

@@ -15,7 +15,8 @@ void insert_for_size(Refinement& r, const EmptyBallSearch& search, const EmptyBa
 
 namespace {
 
-void sweep(Refinement& r, EmptyBallSearch& search, double floor) {
+template <class FindEmptyBall>
+void sweep(Refinement& r, const EmptyBallSearch& search, FindEmptyBall find) {
   std::vector<TetId> pending;
   const std::size_t slots = r.mesh().slot_count();
   for (TetId first = 0; first < slots; ++first)
@@ -23,11 +24,17 @@ void sweep(Refinement& r, EmptyBallSearch& search, double floor) {
       const TetId t = pending.back();
       pending.pop_back();
       if (!r.mesh().is_finite(t)) continue;
-      const auto ball = search.find(t, floor);
+      const auto ball = find(t);
       if (!ball) continue;
       insert_for_size(r, search, *ball, t);
       pending.insert(pending.end(), r.created().begin(), r.created().end());
     }
+}
+
+/// The long searches come second, when only the tetrahedra that will stay are left to search.
+void sweep_twice(Refinement& r, EmptyBallSearch& search, double floor) {
+  sweep(r, search, [&](TetId t) { return search.find_quickly(t, floor); });
+  sweep(r, search, [&](TetId t) { return search.find(t, floor); });
 }
 
 }  // namespace
@@ -36,8 +43,8 @@ void enforce_size(Refinement& r) {
   EmptyBallSearch search(r);
   double floor = r.smallest_size();
   while (floor < r.largest_size()) floor *= 2;
-  for (; floor > r.smallest_size(); floor /= 2) sweep(r, search, floor);
-  sweep(r, search, 0);
+  for (; floor > r.smallest_size(); floor /= 2) sweep_twice(r, search, floor);
+  sweep_twice(r, search, 0);
 }
 
 }  // namespace unsliver::refine
