@@ -138,6 +138,9 @@ VerifyOptions MeshRun::verify_options() const {
   verify.guarantee = {asked.min_dihedral_deg, asked.max_dihedral_deg, asked.max_radius_edge};
   verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
   verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
+  const GradingGuarantee grading = grading_guarantee(asked.strategy);
+  verify.lfs_lower_bound = lfs_lower_bound(*report_.source->domain, *report_.size->sizing, grading.c);
+  verify.grading_constant = grading.share;
   return verify;
 }
 

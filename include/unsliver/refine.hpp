@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,5 +72,18 @@ SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, const Mes
 /// Deterministic. \throws Error kBadOption, kBadInput (from the sizing function), kLimit (coordinate range).
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOptions& options = {},
                        const Control& control = {});
+
+/// The grading guarantee of Theorem 7: each vertex v is at distance `share` * lfs(v) or more from its nearest
+/// neighbour, lfs taken with the constant c of Definition 2.
+struct GradingGuarantee {
+  double c = 0;
+  double share = 0;  ///< 1 / 6.701 for Figure 5
+};
+GradingGuarantee grading_guarantee(Strategy strategy);
+
+/// A sound lower bound of lfs_s(p) = inf over a in the domain of c s(a) + |pa|, from a lower bound and the
+/// Lipschitz constant of s; sizes beyond the domain's diagonal count as that. 0 where s is not defined. The
+/// arguments must outlive the function.
+std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c);
 
 }  // namespace unsliver

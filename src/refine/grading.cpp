@@ -1,0 +1,39 @@
+#include <algorithm>
+#include <cmath>
+
+#include "refine/guarantees.hpp"
+#include "unsliver/error.hpp"
+#include "unsliver/refine.hpp"
+
+namespace unsliver {
+
+namespace {
+
+double size_or_zero(const Sizing& sizing, const Vec3& p) {
+  try {
+    return sizing.at(p);
+  } catch (const Error&) {
+    return 0;  // outside the domain s need not be defined
+  }
+}
+
+}  // namespace
+
+GradingGuarantee grading_guarantee(Strategy strategy) {
+  const bool literal = strategy == Strategy::kLiteral;
+  return {literal ? refine::kFigure5LiteralC : refine::kFigure5ThriftyC, refine::kFigure5Grading};
+}
+
+/// With s(a) >= max(least, s(p) - L d), d = |pa|, the infimum of c s(a) + d is attained at d = 0 or where the
+/// two bounds meet.
+std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c) {
+  const double cap = domain.bounds().diagonal(), slope = sizing.lipschitz();
+  const double least = std::min(cap, sizing.lower_bound(domain.bounds()));
+  return [&sizing, c, cap, slope, least](const Vec3& p) {
+    const double s = std::min(cap, size_or_zero(sizing, p));
+    if (!(s > 0) || c * slope <= 1) return c * std::max(0.0, s);
+    return std::min(c * s, c * least + std::max(0.0, s - least) / slope);
+  };
+}
+
+}  // namespace unsliver
