@@ -16,9 +16,9 @@ constexpr int kSamples = 48;
 /// Boxes looked at before a search for an inside point is given up.
 constexpr int kMostSearchBoxes = 100000;
 /// Boxes looked at before a tetrahedron is kept for safety.
-constexpr int kMostBoxes = 512;
+constexpr int kMostBoxes = 256;
 /// A part of a tetrahedron's box this much smaller than the whole is not cut further.
-constexpr double kSmallestPart = 1.0 / 32;
+constexpr double kSmallestPart = 1.0 / 16;
 
 std::array<Box3, 2> halves(const Box3& box) {
   int axis = 0;
@@ -64,16 +64,29 @@ class ImplicitDomain final : public Domain {
     return value > 0 ? radius : -std::min(radius, domain::depth_in_box(p, bounds_));
   }
 
+  /// One look at the ball's box, where `clearance` needs several.
+  int side_of_ball(const Vec3& p, double radius) const override {
+    const double reach = radius + 4 * std::numeric_limits<double>::epsilon() * (norm(p) + radius);
+    const Box3 box{p - Vec3{reach, reach, reach}, p + Vec3{reach, reach, reach}};
+    const Box3 inner = common_part(box, bounds_);
+    if (inner.empty()) return 1;
+    const geom::Interval f = signed_over(inner);
+    if (f.lo > 0) return 1;
+    return f.hi <= 0 && !f.may_be_nan && bounds_.contains(box.lo) && bounds_.contains(box.hi) ? -1 : 0;
+  }
+
   bool meets(const Tet& t) const override {
     if (!domain::interior_meets_box(t, bounds_)) return false;
-    if (contains(domain::centroid(t))) return true;
+    if (contains(domain::centroid(t)) ||
+        std::any_of(t.begin(), t.end(), [&](const Vec3& p) { return contains(p); }))
+      return true;
     const Box3 whole = common_part(bounding_box(t), bounds_);
     std::vector<Box3> pending{whole};
     for (int looked = 0; !pending.empty(); ++looked) {
       if (looked == kMostBoxes) return true;
       const Box3 box = pending.back();
       pending.pop_back();
-      if (f_.tight_over(box).lo > 0 || !domain::interior_meets_box(t, box)) continue;
+      if (signed_over(box).lo > 0 || !domain::interior_meets_box(t, box)) continue;
       if (box.longest_side() <= kSmallestPart * whole.longest_side()) return true;
       for (const Box3& half : halves(box)) pending.push_back(half);
     }
@@ -91,6 +104,12 @@ class ImplicitDomain final : public Domain {
   }
 
  private:
+  /// f over a box, tight only where the plain bounds leave its sign open.
+  geom::Interval signed_over(const Box3& box) const {
+    const geom::Interval plain = f_.over(box);
+    return plain.lo > 0 || plain.hi <= 0 ? plain : f_.tight_over(box);
+  }
+
   /// r such that f keeps the sign of `value` = f(p) in the open ball: |f(q) - f(p)| <= |slope| |q - p| +
   /// rounding.
   double constant_sign_radius(const Vec3& p, double value) const {

@@ -92,17 +92,17 @@ bool EmptyBallSearch::circumsphere_covers(TetId t) {
   }
   if (!r_.meets_domain(t)) return true;
   reach_ = std::sqrt(std::max(0.0, radius * radius - least * least));
-  center_clearance_ = r_.clearance(sphere_.center);
-  return center_clearance_ > reach_;  // farther than this from c all is covered
+  center_side_ = r_.side_of_ball(sphere_.center, reach_);
+  return center_side_ > 0;  // farther than this from c all is covered
 }
 
 /// The ball about c itself is empty by the Delaunay property: no search is needed when c is in the domain and
 /// R too large.
 std::optional<EmptyBall> EmptyBallSearch::try_circumcenter() const {
-  if (!center_size_ || center_clearance_ > 0) return std::nullopt;
-  if (center_clearance_ == 0 && !r_.contains(sphere_.center)) return std::nullopt;
+  if (!center_size_) return std::nullopt;
   const double size = std::max(floor_, *center_size_);
   if (std::sqrt(sphere_.radius_sq) * (1 - kRounding) - 2 <= (1 - kSizeSlack) * size) return std::nullopt;
+  if (center_side_ == 0 && !r_.contains(sphere_.center)) return std::nullopt;
   return EmptyBall{rounded(sphere_.center), size};
 }
 

@@ -68,7 +68,7 @@ class EmptyBallSearch {
   geom::Sphere sphere_;                ///< c and R^2
   std::optional<double> center_size_;  ///< s(c)
   double reach_ = 0;                   ///< farther than this from c all of t is covered
-  double center_clearance_ = 0;        ///< of c, see Domain::clearance
+  int center_side_ = 0;                ///< of the ball of radius reach_ about c, see Domain::side_of_ball
   Vec3 inward_[4];                     ///< unit normals of t's facets
   double offset_[4];                   ///< p is in t where inward . p >= offset for all four
   std::vector<Cell> open_;
