@@ -150,6 +150,7 @@ Json to_json(const MeshReport& report) {
   });
   json["quality"] = optional_json(report.quality, plain);
   json["verify"] = optional_json(report.verified, plain);
+  json["notes"] = report.notes;
   json["stats"] = optional_json(report.stats, stats_json);
   json["time"] = time_json(report);
   json["memory"] = {{"peak_resident_bytes", peak_resident_memory()}};

@@ -34,7 +34,8 @@ struct MeshReport {
   std::optional<MeshCounts> counts;
   std::optional<QualitySummary> quality;
   std::optional<VerifyReport> verified;
-  std::string output;  ///< where the mesh was written; empty when it was not
+  std::vector<std::string> notes;  ///< what else a careful user must know of this run
+  std::string output;              ///< where the mesh was written; empty when it was not
   std::vector<PhaseTime> phases;
   double total_seconds = 0;
   std::optional<Error> error;

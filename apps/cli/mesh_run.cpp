@@ -17,6 +17,10 @@ namespace {
 
 constexpr std::size_t kCoverSamples = 100'000;
 
+constexpr const char* kNoInside =
+    "the size bound was not tested: no point was found inside the surface, which has no volume, or next to "
+    "none";
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -44,6 +48,7 @@ class MeshRun {
 
   void settle(const std::string& status, ExitCode code);
   VerifyOptions verify_options() const;
+  bool can_test_size() const;
   std::vector<Vec3> points_to_cover() const;
 
   template <typename Work>
@@ -129,6 +134,14 @@ std::vector<Vec3> MeshRun::points_to_cover() const {
   return points;
 }
 
+/// The size bound is tested at random points, and none would fall into a surface whose inside has no volume.
+/// Every other kind of domain has some by construction.
+bool MeshRun::can_test_size() const {
+  const Domain& domain = *report_.source->domain;
+  return !report_.source->surface || !domain_samples(domain, 1000).empty() ||
+         !domain_samples(domain, kCoverSamples).empty();
+}
+
 /// An unfinished mesh promises to be a valid Delaunay mesh that covers the domain, and no more.
 VerifyOptions MeshRun::verify_options() const {
   VerifyOptions verify;
@@ -145,7 +158,12 @@ VerifyOptions MeshRun::verify_options() const {
 }
 
 void MeshRun::judge() {
-  report_.verified = verify(result_.mesh, verify_options(), display_.control());
+  VerifyOptions asked = verify_options();
+  if (asked.size && !can_test_size()) {
+    asked.size = nullptr;
+    report_.notes.emplace_back(kNoInside);
+  }
+  report_.verified = verify(result_.mesh, asked, display_.control());
   display_.clear();
   if (interrupts::requested()) {
     report_.verified.reset();

@@ -96,7 +96,9 @@ void costs(Table& table, const MeshReport& report) {
 }
 
 std::string verdict(const MeshReport& report) {
-  if (!report.verified) return "no: not asked for, or interrupted";
+  if (!report.verified)
+    return report.status == "unverified" || report.status == "cancelled" ? "no: interrupted"
+                                                                         : "no: switched off by --no-verify";
   if (!report.verified->ok)
     return fmt::format("FAILED: {}", plural(report.verified->finding_count, "finding"));
   return fmt::format("yes, exactly, by {}", plural(report.verified->checks.size(), "independent check"));
@@ -109,6 +111,7 @@ std::string to_table(const MeshReport& report) {
   job(table, report);
   comparison(table, report);
   table.row("verified", verdict(report));
+  notes(table, report.notes);
   costs(table, report);
   table.row("status", report.status);
   table.row("written", report.output.empty() ? "nothing" : report.output);

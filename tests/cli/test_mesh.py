@@ -57,6 +57,12 @@ class Mesh(MeshTest):
         self.assertIn("expecting about", result.stderr)
         self.assertNotIn("\r", result.stderr, "no progress line on a pipe")
 
+    def test_flat_surface_has_no_size_to_test(self):
+        flat = self.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        report = self.mesh(flat, "--size", "0.2")
+        self.assertIn("not tested", report["notes"][0])
+        self.assertIn("not tested", self.succeed("mesh", flat, "-o", "out.vtu", "--size", "0.2").stdout)
+
     def test_quiet(self):
         result = self.succeed("mesh", *BALL, "-o", "out.vtu", "--size", "0.5", "--quiet")
         self.assertEqual((result.stdout, result.stderr), ("", ""))
