@@ -25,8 +25,9 @@ struct MeshOptions {
   double min_dihedral_deg = 30;
   double max_dihedral_deg = 135;
   double max_radius_edge = 1.118033988749895;
-  std::uint64_t max_tets = 0;          ///< 0 = no cap. Tetrahedra held at any time, outside ones included
-  std::uint64_t max_memory_bytes = 0;  ///< 0 = no cap. Bytes held by the generator
+  std::uint64_t max_tets =
+      0;  ///< 0 = no cap. Tetrahedra held, outside ones included; checked every 64 insertions
+  std::uint64_t max_memory_bytes = 0;  ///< 0 = no cap. Bytes held while refining; checked every 64 insertions
 };
 
 enum class MeshStatus { kDone, kTetCap, kMemoryCap, kCancelled };

@@ -17,6 +17,8 @@ constexpr double kRounding =
 // A cell below this share of s is not split for long: a vertex costs less than the proof that none is needed.
 constexpr double kLiteralHurry = kWitnessSlack;
 constexpr double kThriftyHurry = 0.2;
+// Where s varies by more than this share over a cell, its global Lipschitz constant is no good bound.
+constexpr double kSteep = 0.3;
 constexpr int kPollInterval = 1024;  // cells
 
 double square(double x) { return x * x; }
@@ -114,14 +116,20 @@ std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
     open_.pop_back();
     if (misses_tet(cell)) continue;
     const auto center_size = r_.size_if_defined(cell.center);
-    const double least = size_lower_bound(cell, center_size);
-    if (covered(cell, least)) continue;
     const double radius = norm(cell.half);
+    double least = size_lower_bound(cell, center_size);
+    if (covered(cell, least)) continue;
+    if (center_size && r_.lipschitz() * radius > kSteep * *center_size) {
+      least = std::max(least, r_.size_lower_bound({cell.center - cell.half, cell.center + cell.half}));
+      if (covered(cell, least)) continue;
+    }
     const int side = cell.inside ? -1 : r_.side_of_ball(cell.center, radius);
     if (side > 0) continue;
     cell.inside = side < 0;
     // Where s may jump, a tiny cell counts with the least s in it.
     const bool jump = radius <= kWitnessSlack * least && !std::isfinite(r_.lipschitz());
+    if (!center_size && (cell.inside || r_.contains(cell.center)))
+      r_.size_at(cell.center);  // says what is wrong
     if (center_size)
       if (auto ball = probe(cell, jump ? least : std::max(floor_, *center_size), t)) return ball;
     split(cell);

@@ -78,12 +78,14 @@ void figure_5_literal(Refinement& r) {
   for (; !queue.empty(); queue.pop_front()) {
     const TetId t = queue.front().slot;
     if (!still_there(r, queue.front()) || !r.meets_domain(t)) continue;
-    if (const auto ball = search.find(t, 0))
+    if (const auto ball = search.find(t, 0)) {
+      queue.push_back(queue.front());  // t may survive: w can lie outside its circumsphere
       insert_for_size(r, search, *ball, t);
-    else if (r.is_bad(t))
+    } else if (r.is_bad(t)) {
       enforce_quality_literally(r, t);
-    else
+    } else {
       continue;
+    }
     for (TetId made : r.created()) queue.push_back(queued(r, made));
   }
 }

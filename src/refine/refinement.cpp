@@ -1,6 +1,6 @@
 #include "refine/refinement.hpp"
 
-#include <cassert>
+#include <algorithm>
 #include <limits>
 
 #include "refine/criteria.hpp"
@@ -15,10 +15,14 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr float kUndefined = -1;
 
 // The cube's corners are (+-2^46)^3 while the domain stays within 2^44 of the origin: a ball that meets the
-// domain and holds no corner reaches no farther than 1.5 * 2^47, so every candidate stays inside the kernel's
-// range of 2^48.
+// domain and holds no corner reaches no farther than 0.92 * 2^48, so every candidate stays inside the
+// kernel's range of 2^48.
 constexpr double kCubeCorner = 0x1p46;
 constexpr std::uint64_t kCheckInterval = 64;
+
+// A lower bound of s below this share of the domain comes from places outside the domain, where s may be
+// anything.
+constexpr double kUnknownSize = 1e-12;
 
 float rounded_down(double x) {
   const float f = static_cast<float>(x);
@@ -30,7 +34,8 @@ float rounded_towards_zero(double x) { return x < 0 ? -rounded_down(-x) : rounde
 double fit_radius(const Domain& domain, const Sizing& sizing, Strategy strategy) {
   if (strategy == Strategy::kLiteral) return 0;
   const double s = sizing.lower_bound(domain.bounds());
-  return std::isfinite(s) ? (1 - kSizeSlack) * s : 0;
+  const bool known = std::isfinite(s) && s > kUnknownSize * domain.bounds().diagonal();
+  return known ? (1 - kSizeSlack) * s : 0;
 }
 
 }  // namespace
@@ -47,7 +52,8 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, const MeshOpt
       bounds_(quality_bounds(options)) {
   domain_box_ = {world_.to_world_real(caller_bounds_.lo), world_.to_world_real(caller_bounds_.hi)};
   size_cap_ = caller_bounds_.diagonal() / world_.unit();
-  size_floor_ = std::min(size_cap_, sizing.lower_bound(caller_bounds_) / world_.unit());
+  const double finest = lattice::covering_radius(world_.finest_level());  // sizes below it are refused
+  size_floor_ = std::clamp(sizing.lower_bound(caller_bounds_) / world_.unit(), finest, size_cap_);
   if (lipschitz_ == 0) constant_size_ = size_floor_;
   last_report_ = phase_start_ = std::chrono::steady_clock::now();
   add_vertex_arrays(0, 0);  // the vertex at infinity
@@ -55,7 +61,7 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, const MeshOpt
 }
 
 void Refinement::start_from_cube() {
-  const double lfs_bound = kCubeCorner * std::sqrt(3.0) + 2 * size_cap_;
+  const double lfs_bound = kCubeCorner * std::sqrt(3.0) + (kFigure5ThriftyC + 1) * size_cap_;
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{i & 1 ? kCubeCorner : -kCubeCorner, i & 2 ? kCubeCorner : -kCubeCorner,
                       i & 4 ? kCubeCorner : -kCubeCorner};
@@ -160,7 +166,9 @@ VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
 void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near) {
   if (insertions_++ % kCheckInterval == 0) poll();
   if (!mesh_.in_conflict(near, w)) near = mesh_.locate(w, near);
-  assert(mesh_.corner_at(near, w) == kNoVertex);
+  if (mesh_.corner_at(near, w) != kNoVertex)
+    throw Error(ErrorCode::kInternal,
+                "a vertex was to be inserted twice: this is a bug in unsliver, please report it");
   mesh_.insert_in_conflict(w, near);
   add_vertex_arrays(label, lfs_bound);
 }

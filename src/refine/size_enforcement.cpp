@@ -26,6 +26,7 @@ void sweep(Refinement& r, const EmptyBallSearch& search, FindEmptyBall find) {
       if (!r.mesh().is_finite(t)) continue;
       const auto ball = find(t);
       if (!ball) continue;
+      pending.push_back(t);  // it may survive: w can lie outside its circumsphere
       insert_for_size(r, search, *ball, t);
       pending.insert(pending.end(), r.created().begin(), r.created().end());
     }

@@ -41,6 +41,16 @@ std::vector<Job> jobs() {
       {"ball, formula", ball, expression_size("0.1 + 0.2 * abs(x)", ball->bounds())},
       {"ball, steep formula", ball, expression_size("0.05 + 0.9 * abs(z - 0.3)", ball->bounds())},
       {"box, constant", box, constant_size(0.1)},
+      // A size vertex can leave the tetrahedron that asked for it alive: it must be searched again.
+      {"thin plate",
+       make_box({{0.73817776765331389, 0.99450090048793105, 0.30474947156716298},
+                 {1.73817776765331389, 1.94839390048793105, 0.32361897156716298}}),
+       constant_size(0.0921217559594256)},
+      {"thin bar", make_box({{0, 0, 0}, {1, 0.02, 0.03}}), constant_size(0.07)},
+      {"ball, size defined in the domain alone", make_ball({0, 0, 0}, 0.5),
+       expression_size("0.6 - sqrt(x^2 + y^2 + z^2)", {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}})},
+      {"box, steep size", make_box({{0, 0, 0}, {1, 1, 1}}),
+       graded_from_points({{0.3, 0.4, 0.5}}, {0.01}, 10, 0.3)},
       {"torus, constant", torus, constant_size(0.12)},
       {"small ball far away, constant", far, constant_size(0.002)},
       {"surface, constant", solid, constant_size(0.2)},
@@ -188,6 +198,20 @@ TEST(Figure5, CancelIsHeardSoon) {
   control.cancelled = [&] { return ++polls >= 3; };
   EXPECT_EQ(mesh_domain(*ball, *constant_size(0.02), {}, control).status, MeshStatus::kCancelled);
   EXPECT_EQ(polls, 3);
+}
+
+TEST(Figure5, ASizeThatIsNotPositiveInsideIsReportedWithItsPlace) {
+  const DomainPtr box = make_box({{0, 0, 0}, {1, 1, 1}});
+  for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty}) {
+    MeshOptions options;
+    options.strategy = strategy;
+    try {
+      mesh_domain(*box, *expression_size("x - 0.25", box->bounds()), options);
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadInput) << error.what();
+    }
+  }
 }
 
 TEST(Figure5, ASizeThatDoublesCannotResolveIsRefused) {
