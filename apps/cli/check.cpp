@@ -95,6 +95,7 @@ ExitCode run(const CheckOptions& options) {
   check_bounds(options);
   check_readable(options.mesh);
   if (!options.against.empty()) check_readable(options.against);
+  check_distinct({options.json}, {options.mesh, options.against});
   if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
   const CheckReport report = judge(options, io::read_tet_mesh(options.mesh));
   if (!options.quiet && options.json != "-") print_result(to_table(report));
@@ -118,7 +119,8 @@ Command add_check(CLI::App& app) {
                      "hold it to this smallest dihedral angle, in degrees");
   parser->add_option("--max-angle", options->max_angle, "hold it to this largest dihedral angle, in degrees");
   parser->add_option("--max-radius-edge", options->max_radius_edge, "hold it to this radius-edge ratio");
-  parser->add_option("--worst", options->worst, "how many of the worst tetrahedra to list (default 5)");
+  parser->add_option("--worst", options->worst, "how many of the worst tetrahedra to list (default 5)")
+      ->check(CLI::NonNegativeNumber);
   parser->add_option("--json", options->json, "report for machines: a file, or - for standard output");
   parser->add_flag("--quiet", options->quiet, "print errors only");
   parser->footer(kExamples);

@@ -35,6 +35,28 @@ bool is_special(const fs::path& path) {
   return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
 }
 
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  const auto plain = [&](const fs::path& p) {
+    return fs::weakly_canonical(fs::absolute(p, ignored), ignored);
+  };
+  return fs::equivalent(a, b, ignored) || plain(a) == plain(b);
+}
+
+/// The files behind each name: TetGen's come in threes.
+std::vector<fs::path> files_behind(const std::vector<std::string>& names) {
+  std::vector<fs::path> files;
+  for (const fs::path path : names) {
+    if (path.empty() || path == "-" || is_special(path)) continue;
+    files.push_back(path);
+    const std::vector<std::string> kTogether = {"node", "ele", "face"};
+    if (!among(kTogether, extension_of(path))) continue;
+    for (const std::string& other : kTogether)
+      if (other != extension_of(path)) files.push_back(fs::path(path).replace_extension(other));
+  }
+  return files;
+}
+
 /// All of `content` at `path`, or 0 < errno.
 int store(const fs::path& path, const std::string& content) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
@@ -83,6 +105,20 @@ void check_mesh_output(const fs::path& path, const std::string& format) {
                     "--format",
                     path.string(), extension_of(path)));
   check_writable(path, "the output");
+}
+
+void check_distinct(const std::vector<std::string>& written, const std::vector<std::string>& read) {
+  const std::vector<fs::path> outputs = files_behind(written), inputs = files_behind(read);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto is_this = [&](const fs::path& other) { return same_file(outputs[i], other); };
+    const auto later = outputs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    if (std::any_of(inputs.begin(), inputs.end(), is_this))
+      throw Error(ErrorCode::kBadOption,
+                  outputs[i].string() + " would overwrite an input: give the output another name");
+    if (std::any_of(later, outputs.end(), is_this))
+      throw Error(ErrorCode::kBadOption,
+                  outputs[i].string() + " would hold two results: give each a file of its own");
+  }
 }
 
 void check_readable(const fs::path& path) {

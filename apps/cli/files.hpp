@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace unsliver::cli {
 
@@ -20,6 +21,10 @@ void check_writable(const std::filesystem::path& path, const std::string& option
 /// check_writable, and the extension (or `format`, where not empty) is one that tetrahedral meshes are
 /// written in. \throws Error kIo or kBadOption.
 void check_mesh_output(const std::filesystem::path& path, const std::string& format);
+
+/// No file is both written and read, or written twice, under whatever names. Empty paths, "-", devices and
+/// pipes count as none; a TetGen file stands for its companions too. \throws Error kBadOption.
+void check_distinct(const std::vector<std::string>& written, const std::vector<std::string>& read);
 
 /// \throws Error kIo when nothing can be read there.
 void check_readable(const std::filesystem::path& path);

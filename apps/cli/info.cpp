@@ -140,6 +140,7 @@ std::string to_text(const Json& report) {
 
 ExitCode run(const InfoOptions& options) {
   check_readable(options.file);
+  check_distinct({options.json}, {options.file});
   if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
   Json json = json_head("info", ExitCode::kDone);
   json["file"] = options.file;

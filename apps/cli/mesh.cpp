@@ -41,6 +41,7 @@ void publish_error(const MeshCommandOptions& options, MeshReport& report, const 
 }
 
 ExitCode run(MeshCommandOptions& options) {
+  check_mesh_files(options);
   MeshReport report;
   try {
     check_mesh_options(options);

@@ -134,6 +134,12 @@ void add_mesh_options(CLI::App& parser, MeshCommandOptions& options) {
   add_limit_options(parser, options);
 }
 
+void check_mesh_files(const MeshCommandOptions& options) {
+  check_distinct({options.output, options.json},
+                 {options.domain.surface_file.value_or(""), options.size.size_mesh.value_or("")});
+  if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
+}
+
 void check_mesh_options(MeshCommandOptions& options) {
   check_domain_request(options.domain);
   check_size_request(options.size, options.domain.surface_file.has_value());
@@ -143,7 +149,6 @@ void check_mesh_options(MeshCommandOptions& options) {
   if (!options.max_memory.empty())
     options.mesh.max_memory_bytes = parse_bytes(options.max_memory, "--max-memory");
   check_write_options(options.output, options.write);
-  if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
 }
 
 }  // namespace unsliver::cli

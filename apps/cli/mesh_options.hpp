@@ -32,6 +32,10 @@ void check_write_options(const std::string& output, const io::WriteOptions& writ
 
 void add_mesh_options(CLI::App& parser, MeshCommandOptions& options);
 
+/// What must hold before even a report of failure may be written: the report has a place, and no file is in
+/// the way of another. \throws Error.
+void check_mesh_files(const MeshCommandOptions& options);
+
 /// Derives what was typed as text and refuses what contradicts itself or has no effect. \throws Error.
 void check_mesh_options(MeshCommandOptions& options);
 

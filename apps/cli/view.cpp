@@ -2,7 +2,9 @@
 /// `unsliver view`: a still picture of a mesh, cut open.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "commands.hpp"
@@ -56,6 +58,23 @@ void check_drawable(const std::string& name, const TetMesh& mesh) {
                     fmt::format("{}: tetrahedron {} has no finite corner at vertex {}", name, t, v));
 }
 
+/// Something remains of the mesh and something is cut off. \throws Error kBadOption.
+void check_cut(const ViewOptions& options, const std::optional<CutPlane>& cut, const TetMesh& mesh) {
+  if (!cut || options.cut == "auto") return;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for (const Vec3& p : mesh.corners(t)) {
+      low = std::min(low, dot(cut->normal, p));
+      high = std::max(high, dot(cut->normal, p));
+    }
+  if (low < cut->offset && cut->offset < high) return;
+  throw Error(
+      ErrorCode::kBadOption,
+      fmt::format("--cut \"{}\": the plane misses the mesh. With this normal, d must lie between {:.6g} "
+                  "and {:.6g}; --cut none shows the whole mesh",
+                  options.cut, low, high));
+}
+
 ExitCode run(const ViewOptions& options) {
   PictureOptions picture;
   std::tie(picture.width, picture.height) = parse_size(options.size);
@@ -65,6 +84,7 @@ ExitCode run(const ViewOptions& options) {
   if (extension_of(options.output) != "png")
     throw Error(ErrorCode::kBadOption, options.output + ": a picture is written as .png only");
   check_writable(options.output, "the output");
+  check_distinct({options.output}, {options.mesh});
   check_readable(options.mesh);
   const TetMesh mesh = io::read_tet_mesh(options.mesh);
   check_drawable(options.mesh, mesh);
@@ -73,6 +93,7 @@ ExitCode run(const ViewOptions& options) {
     for (const Vec3& p : mesh.points) box.extend(p);
     picture.cut = middle_plane(box);
   }
+  check_cut(options, picture.cut, mesh);
   write_file(options.output, encode_png(draw_picture(mesh, picture)));
   return ExitCode::kDone;
 }

@@ -180,6 +180,21 @@ class Outputs(ProgramTest):
         self.refuse(2, "mesh", *BALL, *SIZE, *OUT, "--json", "no/such.json", saying=["no/such.json"])
         self.refuse(2, "mesh", *BALL, *SIZE, "-o", "out.vtu/", saying=["out.vtu/"])
 
+    def test_one_file_for_two_things(self):
+        self.cube()
+        (self.folder / "link.json").symlink_to("cube.off")
+        cube = (self.folder / "cube.off").read_bytes()
+        for output, report in [("out.vtu", "./cube.off"), ("out.vtu", "link.json"), ("cube.off", "report.json"),
+                               ("new.vtu", f"{self.folder}/new.vtu"), ("new.node", "new.ele")]:
+            with self.subTest(output=output, report=report):
+                self.refuse(2, "mesh", "cube.off", *SIZE, "-o", output, "--format", "vtu", "--json", report,
+                            saying=["give"])
+                self.assertEqual((self.folder / "cube.off").read_bytes(), cube)
+
+    def test_missing_directory_is_told_once(self):
+        errors = self.refuse(2, "mesh", *BALL, *SIZE, *OUT, "--json", "no/such.json").stderr
+        self.assertEqual(errors.count("unsliver: error: "), 1, errors)
+
     def test_read_only_directory(self):
         if os.geteuid() == 0:
             self.skipTest("root may write anywhere")

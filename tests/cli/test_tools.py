@@ -71,6 +71,8 @@ class Check(Tools):
         moved = [(x + 3, y, z) for x, y, z in CUBE_POINTS]
         self.write("moved.off", off(moved, CUBE_TRIANGLES))
         self.refuse(1, "check", "cube.vtu", "--against", "moved.off")
+        self.refuse(2, "check", "cube.vtu", "--worst", "-1", saying=["--worst"])
+        self.refuse(2, "check", "cube.vtu", "--json", "cube.vtu", saying=["cube.vtu", "overwrite"])
         self.refuse(2, "check", "cube.vtu", "--against", "none.off", saying=["none.off"])
 
 
@@ -170,6 +172,7 @@ class View(Tools):
         self.refuse(2, "view", "ball.vtu", "-o", "a.png", "--size", "300x", saying=["--size"])
         self.refuse(2, "view", "ball.vtu", "-o", "a.png", "--cut", "1 0 0", saying=["--cut"])
         self.refuse(2, "view", "ball.vtu", "-o", "a.png", "--cut", "0 0 0 1", saying=["--cut"])
+        self.refuse(2, "view", "ball.vtu", "-o", "a.png", "--cut", "0 0 1 50", saying=["--cut", "misses", "between"])
         self.refuse(2, "view", "ball.vtu", "-o", "no/a.png", saying=["no/a.png"])
 
 
