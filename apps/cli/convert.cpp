@@ -17,7 +17,9 @@ namespace {
 constexpr const char* kExamples = R"text(Examples:
   unsliver convert mesh.msh mesh.vtu
   unsliver convert mesh.vtu mesh.msh --format msh41 --ascii
-Coordinates, region and boundary labels are kept as far as both formats have a place for them.)text";
+Coordinates, region and boundary labels are kept as far as both formats have a place for them. Only .vtu
+keeps the lattice of unsliver's meshes (its frame and each vertex's level): `unsliver check` holds them to
+their guarantees from .vtu alone.)text";
 
 struct ConvertOptions {
   std::string from, to;
