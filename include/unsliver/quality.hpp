@@ -22,7 +22,8 @@ struct QualitySummary {
   double min_dihedral_deg = 180, max_dihedral_deg = 0, max_radius_edge = 0;
   double volume = 0;                   ///< sum of absolute volumes
   std::size_t inverted = 0, flat = 0;  ///< by the sign of the volume in doubles
-  /// All dihedral angles (6 a tetrahedron) in bins [5i, 5i + 5); 180 falls in the last one. Here and in the
+  /// All dihedral angles (6 a tetrahedron) in bins [5i, 5i + 5), but 135 counts below 135, within what is
+  /// guaranteed, and 180 falls in the last one. Here and in the
   /// counts below, an angle within 1e-9 degrees of a limit counts as equal to it.
   std::array<std::uint64_t, 36> histogram{};
   std::array<std::uint64_t, 5> below{};  ///< tetrahedra with a dihedral angle below 5, 10, 15, 20, 30 degrees

@@ -23,6 +23,7 @@ struct Limits {
   Limits() {
     bins.fill(std::numeric_limits<double>::quiet_NaN());  // no angle reaches them
     for (int i = 1; i < 36; ++i) bins[i] = cot_deg(5 * i - kSlackDeg);
+    bins[27] = largest;  // 135 itself is within the guarantee, so the bin below it takes it
   }
   std::array<double, 64> bins;
   std::array<double, 5> below = {cot_deg(5 - kSlackDeg), cot_deg(10 - kSlackDeg), cot_deg(15 - kSlackDeg),
