@@ -98,12 +98,13 @@ void check_writable(const fs::path& path, const std::string& option) {
 }
 
 void check_mesh_output(const fs::path& path, const std::string& format) {
-  if (format.empty() && !is_tet_mesh_file(path))
-    throw Error(
-        ErrorCode::kBadOption,
-        fmt::format("{}: no mesh format has the extension \".{}\"; use .vtu, .msh, .mesh or .node, or say "
-                    "--format",
-                    path.string(), extension_of(path)));
+  if (format.empty() && !is_tet_mesh_file(path)) {
+    const std::string extension = extension_of(path);
+    const std::string fault = extension.empty() ? "the name has no extension, which would say the format"
+                                                : "no mesh format has the extension \"." + extension + "\"";
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{}: {}; use .vtu, .msh, .mesh or .node, or say --format", path.string(), fault));
+  }
   check_writable(path, "the output");
 }
 

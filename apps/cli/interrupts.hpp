@@ -15,8 +15,8 @@ bool requested();
 class Hold {
  public:
   enum class For {
-    kPartialMesh,  ///< the mesh so far is wanted; a second signal leaves all the same
-    kFile,         ///< a file is being written: it is finished whatever comes
+    kOutcome,  ///< the mesh so far or the report is wanted; a second signal leaves all the same
+    kFile,     ///< a file is being written: it is finished whatever comes
   };
   explicit Hold(For purpose);
   ~Hold();

@@ -98,8 +98,8 @@ void check_bound(const char* option, double value, double strictest, double loos
   const double low = std::min(strictest, loosest), high = std::max(strictest, loosest);
   if (low <= value && value <= high && value != loosest) return;
   throw Error(ErrorCode::kBadOption,
-              fmt::format("{} is {}: it must lie between {} (the strictest that is proven) and {}", option,
-                          value, strictest, loosest));
+              fmt::format("{} is {}: it must lie between {} and {} ({} is the strictest that is proven)",
+                          option, value, low, high, strictest));
 }
 
 void check_quality(const MeshOptions& mesh) {

@@ -71,7 +71,7 @@ void MeshRun::run() {
   const auto start = Clock::now();
   timed("read", [this] { prepare(); });
   check_limits();
-  if (options_.keep_partial) hold_.emplace(interrupts::Hold::For::kPartialMesh);
+  if (options_.keep_partial || !options_.json.empty()) hold_.emplace(interrupts::Hold::For::kOutcome);
   generate();
   if (!options_.no_verify && result_.status != MeshStatus::kCancelled) timed("verify", [this] { judge(); });
   const bool wanted = report_.exit_code == ExitCode::kDone ||

@@ -19,6 +19,10 @@ namespace {
 
 constexpr double kDiagonalPerDefaultSize = 40;
 constexpr std::size_t kProbes = 2000;
+/// A lower bound this small says nothing: it is what sizing functions give in place of 0.
+constexpr double kNoSize = 1e-300;
+constexpr double kTinyShare = 1e-9;
+constexpr int kMostLooks = 20'000;
 
 /// --size or --edge-length: `factor` times a number or a formula.
 struct Typed {
@@ -91,10 +95,44 @@ SizingPtr uniform(const SizeRequest& request, const DomainSource& source, double
   return graded_from_surface(*source.surface, s, *request.gradation, cap);
 }
 
+/// One of the eight parts of a box.
+Box3 octant(const Box3& box, int index) {
+  const Vec3 center = box.center();
+  Box3 part = box;
+  for (int axis = 0; axis < 3; ++axis) (index >> axis & 1 ? part.lo : part.hi)[axis] = center[axis];
+  return part;
+}
+
+/// A tiny box of the domain over which nothing but s > 0 is known: its centre. None if there is no such box,
+/// or none was found in time. Depth first, for a zero of s is at the end of any branch that leads there.
+std::optional<Vec3> vanishing_place(const Sizing& sizing, const Domain& domain) {
+  const double tiny = kTinyShare * domain.bounds().diagonal();
+  std::vector<Box3> boxes = {domain.bounds()};
+  for (int looks = 0; looks < kMostLooks && !boxes.empty(); ++looks) {
+    const Box3 box = boxes.back();
+    boxes.pop_back();
+    const bool harmless = sizing.lower_bound(box) > kNoSize;
+    if (harmless || domain.side_of_ball(box.center(), 0.5 * box.diagonal()) > 0) continue;
+    if (box.diagonal() < tiny) return box.center();
+    for (int i = 0; i < 8; ++i) boxes.push_back(octant(box, i));
+  }
+  return std::nullopt;
+}
+
 /// A formula or a file may hold anything: looks at s all over the domain before anybody relies on it.
-/// \throws Error kBadInput naming a point where s is not positive.
+/// \throws Error kBadInput where s is not positive (naming a point), may be 0 between the points looked at,
+/// or is infinite everywhere.
 void probe(const Sizing& sizing, const Domain& domain) {
-  for (const Vec3& p : domain_samples(domain, kProbes)) sizing.at(p);
+  bool finite = std::isfinite(sizing.at(domain.bounds().center()));
+  for (const Vec3& p : domain_samples(domain, kProbes)) finite |= std::isfinite(sizing.at(p));
+  if (!finite)
+    throw Error(ErrorCode::kBadInput, "the size is infinite all over the domain: give a finite length");
+  if (const auto place = vanishing_place(sizing, domain))
+    throw Error(
+        ErrorCode::kBadInput,
+        fmt::format("the size reaches 0, or comes close, near {}: keep it above 0 all over the domain, a "
+                    "formula with max(formula, smallest size)",
+                    point_text(*place)));
 }
 
 }  // namespace
@@ -102,7 +140,10 @@ void probe(const Sizing& sizing, const Domain& domain) {
 void check_size_request(const SizeRequest& request, bool surface_input) {
   for (const Typed& typed : typed_sizes(request))
     if (const auto number = parse_number(*typed.text)) check_positive(typed.option, *number);
-  if (request.gradation) check_positive("--size-gradation", *request.gradation);
+  if (request.gradation && !(*request.gradation > 0 && std::isfinite(*request.gradation)))
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("--size-gradation is {}: it must be a positive, finite slope (length per length)",
+                            *request.gradation));
   if (request.size_max) check_positive("--size-max", *request.size_max);
   if (request.gradation && !surface_input && !varies(request))
     throw Error(

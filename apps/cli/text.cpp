@@ -47,12 +47,14 @@ std::string with_separators(std::uint64_t n) {
 std::string human_count(double n) {
   if (n < 1e6) return with_separators(static_cast<std::uint64_t>(std::llround(n)));
   if (n < 1e9) return fmt::format("{:.3g} million", n / 1e6);
-  return fmt::format("{:.3g} billion", n / 1e9);
+  if (n < 1e12) return fmt::format("{:.3g} billion", n / 1e9);
+  return fmt::format("{:.2e}", n);
 }
 
 std::string human_bytes(double bytes) {
   const char* const units[] = {"bytes", "kB", "MB", "GB", "TB", "PB"};
   std::size_t unit = 0;
+  if (!(bytes < 1e18)) return fmt::format("{:.2e} bytes", bytes);
   for (; bytes >= 999.5 && unit + 1 < std::size(units); ++unit) bytes /= 1000;
   return fmt::format("{:.3g} {}", bytes, units[unit]);
 }

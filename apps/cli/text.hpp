@@ -12,7 +12,7 @@
 namespace unsliver::cli {
 
 std::string with_separators(std::uint64_t n);           ///< "1,234,567"
-std::string human_count(double n);                      ///< "1.2 million"; "12,345" when small
+std::string human_count(double n);                      ///< "12,345", "1.2 million", "3.5e+17"
 std::string human_bytes(double bytes);                  ///< "1.2 GB" (powers of 1000)
 std::string human_seconds(double seconds);              ///< "0.42 s", "12 s", "3 min 05 s"
 std::string plural(std::uint64_t n, const char* noun);  ///< "1 triangle", "2 triangles"

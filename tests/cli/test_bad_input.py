@@ -100,9 +100,12 @@ class Sizes(ProgramTest):
                 self.refuse(2, "mesh", *BALL, "--edge-length", size, *OUT, saying=["--edge-length"])
 
     def test_formula_that_fails(self):
-        for formula in ["x", "0 * x", "sqrt(x - 10)", "x / 0"]:
+        for formula in ["x", "0 * x", "sqrt(x - 10)", "x / 0", "1 / 0"]:
             with self.subTest(formula=formula):
                 self.refuse(2, "mesh", *BALL, "--size", formula, *OUT)
+
+    def test_formula_that_reaches_zero_at_the_border(self):
+        self.refuse(2, "mesh", *BOX, "--size", "x", *OUT, saying=["near (", "max(formula, smallest size)"])
 
     def test_formula_that_does_not_parse(self):
         for option in ["--size", "--edge-length"]:

@@ -33,6 +33,13 @@ class Interrupt(ProgramTest):
                 self.assertEqual(os.listdir(self.folder), [])
                 self.assertLess(seconds, PATIENCE)
 
+    def test_writes_the_report_when_asked(self):
+        code, errors, _ = self.interrupt(*LONG, "--json", "report.json", after=2.0)
+        self.assertEqual(code, 1, errors)
+        report = self.report("report.json")
+        self.assertEqual((report["status"], report["exit_code"], report["output"]), ("cancelled", 1, None))
+        self.assertEqual(os.listdir(self.folder), ["report.json"])
+
     def test_keeps_a_partial_mesh_when_asked(self):
         code, errors, _ = self.interrupt(*LONG, "--keep-partial", "--json", "report.json")
         self.assertEqual(code, 1, errors)

@@ -124,6 +124,9 @@ class Sizes(MeshTest):
         edges = self.mesh(*BALL, "--edge-length", "0.3 + 0.5 * max(x, 0)")
         self.assertIsNone(edges["size"]["constant"])
 
+    def test_formula_that_is_positive_on_the_domain_alone(self):
+        self.mesh(*BALL, "--size", "1.2 - sqrt(x^2 + y^2 + z^2)")
+
     def test_several_sizes_combine_by_minimum(self):
         both = self.mesh(*BALL, "--size", "0.3", "--edge-length", "5")
         alone = self.mesh(*BALL, "--size", "0.3")
