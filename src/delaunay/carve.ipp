@@ -44,6 +44,7 @@ void BasicTriangulation<Geometry>::carve(const Point& p, TetId in_conflict_with_
         if (in_conflict(neighbour, p)) {
           mark = kDoomed;
           cavity_.push_back(neighbour);
+          for (const Facet beyond : store_[neighbour].n) store_.prefetch(tet_of(beyond));
         } else {
           mark = kSpared;
           spared_.push_back(neighbour);
