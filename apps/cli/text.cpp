@@ -25,7 +25,7 @@ std::string next_word(const std::string& text, std::size_t& position) {
 std::uint64_t parse_scaled(std::string text, std::string_view suffixes, double step, const Error& complaint) {
   double factor = 1;
   if (!text.empty()) {
-    const std::size_t index = suffixes.find(text.back());
+    const std::size_t index = suffixes.find(text.back() == 'k' ? 'K' : text.back());
     if (index != std::string_view::npos) {
       factor = std::pow(step, static_cast<double>(index + 1));
       text.pop_back();
@@ -87,7 +87,7 @@ std::optional<double> parse_number(const std::string& text) {
   double value = 0;
   const auto [rest, failure] = std::from_chars(begin, end, value);
   if (failure != std::errc{} || rest != end) return std::nullopt;
-  return value;
+  return std::isnan(value) ? std::abs(value) : value;  // "-nan" would puzzle people
 }
 
 std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& option) {
@@ -108,7 +108,7 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
 
 std::uint64_t parse_count(const std::string& text, const std::string& option) {
   return parse_scaled(
-      text, "kMG", 1000,
+      text, "KMG", 1000,
       Error(ErrorCode::kBadOption,
             fmt::format("{} is \"{}\": give a positive number such as 500000, 500k or 20M", option, text)));
 }

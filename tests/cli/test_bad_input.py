@@ -125,7 +125,9 @@ class Sizes(ProgramTest):
 class Limits(ProgramTest):
     def test_estimate_exceeds_the_cap(self):
         self.refuse(1, "mesh", *BALL, "--size", "0.01", "--max-tets", "100k", *OUT, saying=["--max-tets 100,000"])
-        self.refuse(1, "mesh", *BALL, "--size", "0.01", "--max-memory", "1M", *OUT, saying=["--max-memory"])
+        for memory in ["1M", "1k", "1K"]:
+            self.refuse(1, "mesh", *BALL, "--size", "0.01", "--max-memory", memory, *OUT,
+                        saying=["expected are", "--max-memory"])
 
     def test_estimate_exceeds_the_machine(self):
         for size in ["1e-5", "1e-30", "1e-300"]:
