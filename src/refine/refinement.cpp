@@ -12,7 +12,6 @@ namespace unsliver::refine {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-constexpr float kUndefined = -1;
 
 // The cube's corners are (+-2^46)^3 while the domain stays within 2^44 of the origin: a ball that meets the
 // domain and holds no corner reaches no farther than 0.92 * 2^48, so every candidate stays inside the
@@ -74,7 +73,6 @@ void Refinement::add_vertex_arrays(Level label, double lfs_bound) {
   labels_.push_back(static_cast<std::uint8_t>(label));
   lfs_bounds_.push_back(rounded_up(lfs_bound));
   clearances_.push_back(kUnknown);
-  sizes_.push_back(kUnknown);
 }
 
 VertexId Refinement::finest_corner(TetId t) const {
@@ -138,17 +136,6 @@ std::optional<double> Refinement::size_if_defined(const Vec3& p) const {
   }
 }
 
-std::optional<double> Refinement::size_at_vertex(VertexId v) {
-  if (constant_size_ > 0) return constant_size_;
-  float& size = sizes_[v];
-  if (std::isnan(size)) {
-    const auto defined = size_if_defined(mesh_.point(v));
-    size = defined ? rounded_down(*defined) : kUndefined;
-  }
-  if (size < 0) return std::nullopt;
-  return size;
-}
-
 VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
   t = mesh_.locate(p, t);
   VertexId nearest = mesh_.corner_at(t, p);
@@ -174,7 +161,7 @@ void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near
 }
 
 std::uint64_t Refinement::bytes() const {
-  return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes() + sizes_.bytes();
+  return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes();
 }
 
 void Refinement::poll() {

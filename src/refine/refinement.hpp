@@ -37,7 +37,6 @@ class Refinement {
   const delaunay::Triangulation& mesh() const { return mesh_; }
   delaunay::Triangulation& mesh() { return mesh_; }
   const lattice::World& world() const { return world_; }
-  const Domain& domain() const { return domain_; }
   /// The domain's bounding box, in world units, not rounded to integers.
   const Box3& domain_box() const { return domain_box_; }
   const exact::QualityBounds& bounds() const { return bounds_; }
@@ -71,12 +70,8 @@ class Refinement {
   double size_lower_bound(const Box3& box) const;
   /// s at p, or nothing where s need not be defined (outside the domain's bounds) or fails.
   std::optional<double> size_if_defined(const Vec3& p) const;
-  /// The same at a vertex, remembered.
-  std::optional<double> size_at_vertex(VertexId v);
   /// |s(p) - s(q)| <= lipschitz() |p - q| inside the domain's bounds; may be infinite.
   double lipschitz() const { return lipschitz_; }
-  /// The smallest size there is, if it is known before the start (then sizes are constant), else 0.
-  double constant_size() const { return constant_size_; }
   double largest_size() const { return size_cap_; }
   double smallest_size() const { return size_floor_; }
 
@@ -115,7 +110,6 @@ class Refinement {
   PodVector<std::uint8_t> labels_;
   PodVector<float> lfs_bounds_;
   PodVector<float> clearances_;  ///< signed, see Domain::clearance; NaN = not asked yet
-  PodVector<float> sizes_;       ///< s at the vertex; NaN = not asked yet, negative = not defined there
 
   exact::StageCounts quality_counts_;
   MeshStats stats_;
