@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "unsliver/mesh.hpp"
+#include "unsliver/points.hpp"
 
 namespace unsliver::io {
 
@@ -25,6 +26,18 @@ TriangleMesh read_surface(const std::filesystem::path& path);
 /// beside it). Tetrahedra only; triangles become `triangles`; other element kinds are skipped. Region and
 /// label arrays are kept where the format has them.
 TetMesh read_tet_mesh(const std::filesystem::path& path);
+
+/// The points of a file, in its order, duplicates included (but STL corners that are equal are one point):
+/// - XYZ: lines "x y z", or the chemists' form (the number of atoms, a comment line, "element x y z ...").
+/// - CSV, separated by commas, semicolons or tabs: columns by the names of a header (x, y, z, and size,
+/// radius
+///   or s; others are noted and skipped), or without one 3 or 4 columns, the fourth being the size.
+/// - PQR: ATOM and HETATM records, fields separated by blanks; radii are sizes.
+/// - TetGen .node (.ele and .face name the .node beside them); attributes are skipped.
+/// - The vertices of any surface or tetrahedral mesh that is read here; it may have no triangles or
+/// tetrahedra. Files without points, numbers that are not finite, sizes that are not positive and rows with
+/// too few or too many columns are errors.
+PointSet read_points(const std::filesystem::path& path);
 
 /// VTU (appended raw, zlib; arrays level, point_source, region, min_dihedral as far as present), Gmsh .msh
 /// (2.2 binary or ASCII, 4.1), MEDIT .mesh, TetGen .node/.ele/.face (path with any of these extensions writes
@@ -42,5 +55,7 @@ NodalField read_sizing_mesh(const std::filesystem::path& path);
 /// Names of formats that can be read or written, for help texts: {"stl", "obj", ...}.
 std::vector<std::string> surface_formats();
 std::vector<std::string> tet_mesh_formats();
+/// Those that hold points alone: {"xyz", "csv", "pqr", "node"}.
+std::vector<std::string> point_formats();
 
 }  // namespace unsliver::io

@@ -2,11 +2,13 @@
 /// The public face: which extension goes to which reader and writer.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <system_error>
 
 #include "io/detect.hpp"
 #include "io/fail.hpp"
 #include "io/file_bytes.hpp"
+#include "io/point_checks.hpp"
 #include "io/readers.hpp"
 #include "io/tet_mesh_checks.hpp"
 #include "io/writers.hpp"
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 struct SurfaceFormat {
   const char* name;
   const char* extension;
-  TriangleMesh (*parse)(std::string_view, const std::string&);
+  TriangleMesh (*parse)(std::string_view, const std::string&, Need);
 };
 constexpr std::array kSurfaceFormats{
     SurfaceFormat{"stl", ".stl", &parse_stl},
@@ -29,24 +31,42 @@ constexpr std::array kSurfaceFormats{
     SurfaceFormat{"ply", ".ply", &parse_ply},
 };
 
-TetMesh read_tetgen(const fs::path& path) {
+// Of need for points alone, the file of the nodes is enough.
+TetMesh read_tetgen(const fs::path& path, Need need) {
   const auto sibling = [&](const char* extension) { return fs::path(path).replace_extension(extension); };
   const std::string node = read_file(sibling(".node"));
+  if (need == Need::kPoints) {
+    TetMesh mesh;
+    mesh.points = parse_node(node, sibling(".node").string()).points;
+    return mesh;
+  }
   const std::string ele = read_file(sibling(".ele"));
   std::error_code ignored;
   const std::string face = fs::exists(sibling(".face"), ignored) ? read_file(sibling(".face")) : "";
   return parse_tetgen({node, ele, face}, sibling("").string());
 }
 
-template <TetMesh (*parse)(std::string_view, const std::string&)>
-TetMesh read_with(const fs::path& path) {
-  return parse(read_file(path), path.string());
+template <TetMesh (*parse)(std::string_view, const std::string&, Need)>
+TetMesh read_with(const fs::path& path, Need need) {
+  return parse(read_file(path), path.string(), need);
 }
+
+struct PointFormat {
+  const char* name;
+  const char* extension;
+  PointSet (*parse)(std::string_view, const std::string&);
+};
+constexpr std::array kPointFormats{
+    PointFormat{"xyz", ".xyz", &parse_xyz},
+    PointFormat{"csv", ".csv", &parse_csv},
+    PointFormat{"pqr", ".pqr", &parse_pqr},
+    PointFormat{"node", ".node", &parse_node},
+};
 
 struct TetMeshFormat {
   const char* name;
   std::array<const char*, 3> extensions;  // the first format of an extension is its default for writing
-  TetMesh (*read)(const fs::path&);
+  TetMesh (*read)(const fs::path&, Need);
   void (*write)(const fs::path&, const TetMesh&, const WriteOptions&);
   bool has_ascii_option;
 };
@@ -99,11 +119,14 @@ std::vector<std::string> names_of(const Formats& formats) {
        extension.empty() ? "none" : "'" + extension + "'", kind, known);
 }
 
+bool has_extension(const TetMeshFormat& format, const std::string& extension) {
+  return !extension.empty() && std::count(format.extensions.begin(), format.extensions.end(), extension) > 0;
+}
+
 const TetMeshFormat& format_by_extension(const fs::path& path) {
   const std::string extension = extension_of(path);
   for (const TetMeshFormat& format : kTetMeshFormats)
-    if (!extension.empty() && std::count(format.extensions.begin(), format.extensions.end(), extension) > 0)
-      return format;
+    if (has_extension(format, extension)) return format;
   fail_unknown_extension(path, "tetrahedral mesh", ".vtu, .msh, .mesh, .node, .ele and .face");
 }
 
@@ -112,6 +135,17 @@ const TetMeshFormat& format_by_name(const std::string& name) {
     if (format.name == name) return format;
   fail(ErrorCode::kBadOption, "'{}' is no format of a tetrahedral mesh; known are {}", name,
        fmt::join(tet_mesh_formats(), ", "));
+}
+
+// The vertices of a mesh, whichever its kind; nothing when the extension is none of a mesh.
+std::optional<std::vector<Vec3>> read_vertices(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  for (const SurfaceFormat& format : kSurfaceFormats)
+    if (extension == format.extension)
+      return format.parse(read_file(path), path.string(), Need::kPoints).points;
+  for (const TetMeshFormat& format : kTetMeshFormats)
+    if (has_extension(format, extension)) return format.read(path, Need::kPoints).points;
+  return std::nullopt;
 }
 
 NodalField read_medit_field(const fs::path& path) {
@@ -124,7 +158,7 @@ NodalField read_medit_field(const fs::path& path) {
 
 NodalField read_tetgen_field(const fs::path& path) {
   const fs::path mtr_path = fs::path(path).replace_extension(".mtr");
-  NodalField field{read_tetgen(path), {}};
+  NodalField field{read_tetgen(path, Need::kElements), {}};
   field.values = parse_mtr(read_file(mtr_path), mtr_path.string(), field.mesh.points.size());
   return field;
 }
@@ -134,11 +168,11 @@ NodalField read_tetgen_field(const fs::path& path) {
 TriangleMesh read_surface(const fs::path& path) {
   const std::string extension = extension_of(path);
   for (const SurfaceFormat& format : kSurfaceFormats)
-    if (extension == format.extension) return format.parse(read_file(path), path.string());
+    if (extension == format.extension) return format.parse(read_file(path), path.string(), Need::kElements);
   fail_unknown_extension(path, "surface", ".stl, .obj, .off and .ply");
 }
 
-TetMesh read_tet_mesh(const fs::path& path) { return format_by_extension(path).read(path); }
+TetMesh read_tet_mesh(const fs::path& path) { return format_by_extension(path).read(path, Need::kElements); }
 
 void write_tet_mesh(const fs::path& path, const TetMesh& mesh, const WriteOptions& options) {
   const TetMeshFormat& format =
@@ -159,7 +193,22 @@ NodalField read_sizing_mesh(const fs::path& path) {
   fail_unknown_extension(path, "sizing mesh", ".mesh (with .sol) and .node or .ele (with .mtr)");
 }
 
+PointSet read_points(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  for (const PointFormat& format : kPointFormats)
+    if (extension == format.extension) return format.parse(read_file(path), path.string());
+  std::optional<std::vector<Vec3>> vertices = read_vertices(path);
+  if (!vertices)
+    fail_unknown_extension(path, "file of points",
+                           ".xyz, .csv, .pqr and .node, and those of surfaces (.stl, .obj, .off, .ply) and "
+                           "tetrahedral meshes (.vtu, .msh, .mesh, .ele)");
+  PointSet set{std::move(*vertices), {}, {}};
+  require_points(set, path.string());
+  return set;
+}
+
 std::vector<std::string> surface_formats() { return names_of(kSurfaceFormats); }
 std::vector<std::string> tet_mesh_formats() { return names_of(kTetMeshFormats); }
+std::vector<std::string> point_formats() { return names_of(kPointFormats); }
 
 }  // namespace unsliver::io

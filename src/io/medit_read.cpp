@@ -71,7 +71,7 @@ void drop_if_all_zero(std::vector<std::int32_t>& labels) {
 
 }  // namespace
 
-TetMesh parse_medit(std::string_view bytes, const std::string& name) {
+TetMesh parse_medit(std::string_view bytes, const std::string& name, Need need) {
   Scanner scanner = medit_scanner(bytes, name);
   TetMesh mesh;
   while (!scanner.at_end()) {
@@ -92,7 +92,7 @@ TetMesh parse_medit(std::string_view bytes, const std::string& name) {
       scanner.fail_here(ErrorCode::kFormat,
                         fmt::format("expected a keyword, found '{}'", keyword.substr(0, 40)));
   }
-  require_tets(mesh, name);
+  if (need == Need::kElements) require_tets(mesh, name);
   drop_if_all_zero(mesh.regions);
   drop_if_all_zero(mesh.triangle_labels);
   return mesh;

@@ -218,11 +218,11 @@ class MshReader {
 
 }  // namespace
 
-TetMesh parse_msh(std::string_view bytes, const std::string& name) {
+TetMesh parse_msh(std::string_view bytes, const std::string& name, Need need) {
   if (Scanner(bytes, name).peek() != "$MeshFormat")
     fail_wrong_content(bytes, name, "a Gmsh file, which starts with '$MeshFormat'");
   TetMesh mesh = MshReader(bytes, name).read();
-  require_tets(mesh, name);
+  if (need == Need::kElements) require_tets(mesh, name);
   return mesh;
 }
 

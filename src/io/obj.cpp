@@ -25,8 +25,6 @@ class ObjParser {
     return std::move(mesh_);
   }
 
-  bool has_vertices() const { return !mesh_.points.empty(); }
-
  private:
   // A face may name vertices that follow it; they can only be checked at the end.
   struct ForwardReference {
@@ -95,11 +93,11 @@ class ObjParser {
 
 }  // namespace
 
-TriangleMesh parse_obj(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_obj(std::string_view bytes, const std::string& name, Need need) {
   TriangleMesh mesh = ObjParser(bytes, name).parse();
   if (mesh.points.empty() && mesh.triangles.empty())
     fail_wrong_content(bytes, name, "an OBJ file with lines 'v x y z' and 'f i j k'");
-  require_triangles(mesh);
+  if (need == Need::kElements) require_triangles(mesh);
   return mesh;
 }
 

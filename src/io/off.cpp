@@ -52,7 +52,7 @@ void parse_faces(Scanner& scanner, std::size_t count, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh parse_off(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_off(std::string_view bytes, const std::string& name, Need need) {
   Scanner scanner(bytes, name, {.comment = '#', .layout = Layout::kLines});
   if (!is_off_header(scanner.peek())) fail_wrong_content(bytes, name, "an OFF file, which starts with 'OFF'");
   require_three_dimensions(scanner, scanner.word("OFF"));
@@ -65,7 +65,7 @@ TriangleMesh parse_off(std::string_view bytes, const std::string& name) {
 
   TriangleMesh mesh{parse_vertices(scanner, vertices), {}, name};
   parse_faces(scanner, faces, mesh);
-  require_triangles(mesh);
+  if (need == Need::kElements) require_triangles(mesh);
   return mesh;
 }
 

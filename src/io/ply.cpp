@@ -132,19 +132,24 @@ void read_faces(Scanner& scanner, const PlyElement& element, std::size_t vertex_
   }
 }
 
+void require_surface(const Scanner& scanner, const PlyHeader& header) {
+  if (header.find("tristrips"))
+    scanner.fail_here(ErrorCode::kUnsupported, "triangle strips are not read; write the surface with faces");
+  if (!header.find("vertex") || !header.find("face"))
+    scanner.fail_here(ErrorCode::kBadInput,
+                      "the header declares no vertices or no faces; a surface is needed");
+}
+
 }  // namespace
 
-TriangleMesh parse_ply(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_ply(std::string_view bytes, const std::string& name, Need need) {
   if (!bytes.starts_with("ply")) fail_wrong_content(bytes, name, "a PLY file, which starts with 'ply'");
   Scanner scanner(bytes, name);
   const PlyHeader header = parse_ply_header(scanner);
   const PlyElement* vertices = header.find("vertex");
   const PlyElement* faces = header.find("face");
-  if (header.find("tristrips"))
-    scanner.fail_here(ErrorCode::kUnsupported, "triangle strips are not read; write the surface with faces");
-  if (!vertices || !faces)
-    scanner.fail_here(ErrorCode::kBadInput,
-                      "the header declares no vertices or no faces; a surface is needed");
+  if (need == Need::kElements) require_surface(scanner, header);
+  if (!vertices) scanner.fail_here(ErrorCode::kBadInput, "the header declares no vertices");
 
   TriangleMesh mesh;
   mesh.name = name;
@@ -157,7 +162,7 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& name) {
       skip_rows(scanner, element);
     scanner.at_none();
   }
-  require_triangles(mesh);
+  if (need == Need::kElements) require_triangles(mesh);
   return mesh;
 }
 

@@ -9,17 +9,27 @@
 #include <vector>
 
 #include "unsliver/mesh.hpp"
+#include "unsliver/points.hpp"
 
 namespace unsliver::io {
 
-TriangleMesh parse_stl(std::string_view bytes, const std::string& name);
-TriangleMesh parse_obj(std::string_view bytes, const std::string& name);
-TriangleMesh parse_off(std::string_view bytes, const std::string& name);
-TriangleMesh parse_ply(std::string_view bytes, const std::string& name);
+/// What a file must hold to be of use. kPoints: a mesh may come back without elements, even without points.
+enum class Need { kElements, kPoints };
 
-TetMesh parse_vtu(std::string_view bytes, const std::string& name);
-TetMesh parse_msh(std::string_view bytes, const std::string& name);
-TetMesh parse_medit(std::string_view bytes, const std::string& name);
+TriangleMesh parse_stl(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+TriangleMesh parse_obj(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+TriangleMesh parse_off(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+TriangleMesh parse_ply(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+
+TetMesh parse_vtu(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+TetMesh parse_msh(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+TetMesh parse_medit(std::string_view bytes, const std::string& name, Need need = Need::kElements);
+
+/// Points and nothing else; at least one. Sizes are positive.
+PointSet parse_xyz(std::string_view bytes, const std::string& name);
+PointSet parse_csv(std::string_view bytes, const std::string& name);
+PointSet parse_pqr(std::string_view bytes, const std::string& name);
+PointSet parse_node(std::string_view bytes, const std::string& name);
 
 /// The files of one TetGen mesh. An empty `face` stands for a file that does not exist.
 struct TetgenBytes {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "io/fail.hpp"
 
@@ -14,15 +15,6 @@ namespace {
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
-// A word as it may stand in a message: short and printable.
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string text(word.substr(0, kLongest));
-  for (char& c : text)
-    if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
-  return "'" + text + (word.size() > kLongest ? "...'" : "'");
-}
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -38,7 +30,28 @@ bool has_negative_exponent(std::string_view word) {
   return word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
 }
 
+// The number that the word is: 0 or infinity when it is beyond the doubles.
+std::optional<double> parsed_number(std::string_view word) {
+  const std::string_view digits = without_plus(word);
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range)
+    return has_negative_exponent(digits) ? 0.0 : std::numeric_limits<double>::infinity();
+  return value;
+}
+
 }  // namespace
+
+bool is_number(std::string_view word) { return parsed_number(word).has_value(); }
+
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string text(word.substr(0, kLongest));
+  for (char& c : text)
+    if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
+  return "'" + text + (word.size() > kLongest ? "...'" : "'");
+}
 
 Scanner::Scanner(std::string_view bytes, std::string name, Dialect dialect)
     : bytes_(bytes), name_(std::move(name)), dialect_(dialect) {
@@ -87,6 +100,13 @@ void Scanner::next_line(std::string_view what) {
 
 void Scanner::skip_line() { position_ = std::min(bytes_.find('\n', position_), bytes_.size() - 1) + 1; }
 
+std::string_view Scanner::line() {
+  token_ = position_;
+  skip_line();
+  const std::string_view found = bytes_.substr(token_, position_ - token_);
+  return found.substr(0, found.find_last_not_of("\r\n") + 1);
+}
+
 std::string_view Scanner::word(std::string_view what) {
   const bool ended = dialect_.layout == Layout::kLines ? at_line_end() : at_end();
   if (ended) fail_at_end(what);
@@ -104,21 +124,18 @@ std::string_view Scanner::peek() {
 }
 
 void Scanner::keyword(std::string_view expected) {
-  const std::string_view found = word(quoted(expected));
+  const std::string_view found = word(in_quotes(expected));
   if (!equal_ignoring_case(found, expected))
-    fail_here(ErrorCode::kFormat, fmt::format("expected '{}', found {}", expected, quoted(found)));
+    fail_here(ErrorCode::kFormat, fmt::format("expected '{}', found {}", expected, in_quotes(found)));
 }
 
-double Scanner::number(std::string_view what) {
-  const std::string_view found = word(what);
-  const std::string_view digits = without_plus(found);
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    fail_here(ErrorCode::kFormat, fmt::format("expected {} (a number), found {}", what, quoted(found)));
-  if (error == std::errc::result_out_of_range)
-    value = has_negative_exponent(digits) ? 0.0 : std::numeric_limits<double>::infinity();
-  return require_finite(value, what);
+double Scanner::number(std::string_view what) { return to_number(word(what), what); }
+
+double Scanner::to_number(std::string_view word, std::string_view what) const {
+  const std::optional<double> value = parsed_number(word);
+  if (!value)
+    fail_here(ErrorCode::kFormat, fmt::format("expected {} (a number), found {}", what, in_quotes(word)));
+  return require_finite(*value, what);
 }
 
 std::int64_t Scanner::integer(std::string_view what) { return to_integer(word(what), what); }
@@ -128,9 +145,9 @@ std::int64_t Scanner::to_integer(std::string_view word, std::string_view what) c
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::result_out_of_range)
-    fail_here(ErrorCode::kBadInput, fmt::format("{} is {}, which is too large", what, quoted(word)));
+    fail_here(ErrorCode::kBadInput, fmt::format("{} is {}, which is too large", what, in_quotes(word)));
   if (error != std::errc{} || end != digits.data() + digits.size())
-    fail_here(ErrorCode::kFormat, fmt::format("expected {} (an integer), found {}", what, quoted(word)));
+    fail_here(ErrorCode::kFormat, fmt::format("expected {} (an integer), found {}", what, in_quotes(word)));
   return value;
 }
 

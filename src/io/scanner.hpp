@@ -46,6 +46,8 @@ class Scanner {
   /// Skips empty lines and comments. Error kFormat when the file ends.
   void next_line(std::string_view what);
   void skip_line();
+  /// The rest of the current line without its end; goes on to the next one.
+  std::string_view line();
   /// The next word. Error kFormat when the file, or (Layout::kLines) the line, ends.
   std::string_view word(std::string_view what);
   /// Reads one word and checks that it is `expected`, in any case of letters.
@@ -55,7 +57,8 @@ class Scanner {
   /// A finite number. Error kFormat when it is none, kBadInput when it is NaN or infinite.
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
-  /// The integer that `word`, read before, stands for.
+  /// The finite number, or the integer, that `word`, part of what was read last, stands for.
+  double to_number(std::string_view word, std::string_view what) const;
   std::int64_t to_integer(std::string_view word, std::string_view what) const;
   /// An integer that fits 32 bits.
   std::int32_t label(std::string_view what);
@@ -109,6 +112,12 @@ class Scanner {
   bool binary_ = false;
   bool swap_ = false;
 };
+
+/// Is the word written as a number, "nan" and "inf" included?
+bool is_number(std::string_view word);
+
+/// A word as it may stand in a message: short, printable and in quotes.
+std::string in_quotes(std::string_view word);
 
 /// `value` with its bytes in reverse order.
 template <class T>

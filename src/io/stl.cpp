@@ -35,13 +35,6 @@ bool starts_as_text(std::string_view bytes, const std::string& name) {
   return (word == "solid" || word == "facet") && !has_zero_byte;
 }
 
-TriangleMesh finished(PointMerger& points, std::vector<std::array<VertexId, 3>> triangles,
-                      const std::string& name) {
-  TriangleMesh mesh{points.take_points(), std::move(triangles), name};
-  require_triangles(mesh);
-  return mesh;
-}
-
 TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
   Scanner scanner(bytes, name);
   scanner.set_binary(std::endian::little);
@@ -62,7 +55,7 @@ TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
     }
     scanner.take(kAttributeSize, "an attribute");
   }
-  return finished(points, std::move(triangles), name);
+  return {points.take_points(), std::move(triangles), name};
 }
 
 // From after "facet" to "endfacet". Normals are not read: exporters write nan there.
@@ -99,18 +92,24 @@ TriangleMesh parse_ascii(std::string_view bytes, const std::string& name) {
     scanner.at_none();
   }
   if (!complete) scanner.keyword("endsolid");
-  return finished(points, std::move(triangles), name);
+  return {points.take_points(), std::move(triangles), name};
 }
 
-}  // namespace
-
-TriangleMesh parse_stl(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_either(std::string_view bytes, const std::string& name) {
   if (has_binary_size(bytes, name)) return parse_binary(bytes, name);
   if (starts_as_text(bytes, name)) return parse_ascii(bytes, name);
   if (bytes.size() < kFirstFacet)
     fail_wrong_content(bytes, name,
                        "an STL file: text that starts with 'solid', or at least 84 binary bytes");
   return parse_binary(bytes, name);
+}
+
+}  // namespace
+
+TriangleMesh parse_stl(std::string_view bytes, const std::string& name, Need need) {
+  TriangleMesh mesh = parse_either(bytes, name);
+  if (need == Need::kElements) require_triangles(mesh);
+  return mesh;
 }
 
 }  // namespace unsliver::io

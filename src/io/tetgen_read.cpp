@@ -4,6 +4,7 @@
 
 #include "io/detect.hpp"
 #include "io/fail.hpp"
+#include "io/point_checks.hpp"
 #include "io/polygons.hpp"
 #include "io/readers.hpp"
 #include "io/scanner.hpp"
@@ -116,6 +117,13 @@ TetMesh parse_tetgen(const TetgenBytes& bytes, const std::string& stem) {
   mesh.points = std::move(nodes.points);
   require_tets(mesh, stem + ".ele");
   return mesh;
+}
+
+PointSet parse_node(std::string_view bytes, const std::string& name) {
+  PointSet set;
+  set.points = read_nodes(bytes, name).points;
+  require_points(set, name);
+  return set;
 }
 
 std::vector<double> parse_mtr(std::string_view bytes, const std::string& name, std::size_t vertex_count) {

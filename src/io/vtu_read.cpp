@@ -21,7 +21,6 @@ class VtuReader {
     for (const VtuPiece& piece : document_.pieces) read_piece(piece);
     drop_incomplete_arrays();
     read_frame();
-    require_tets(mesh_, document_.name);
     return std::move(mesh_);
   }
 
@@ -157,6 +156,10 @@ class VtuReader {
 
 }  // namespace
 
-TetMesh parse_vtu(std::string_view bytes, const std::string& name) { return VtuReader(bytes, name).read(); }
+TetMesh parse_vtu(std::string_view bytes, const std::string& name, Need need) {
+  TetMesh mesh = VtuReader(bytes, name).read();
+  if (need == Need::kElements) require_tets(mesh, name);
+  return mesh;
+}
 
 }  // namespace unsliver::io

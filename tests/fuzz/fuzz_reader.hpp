@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 
 #include "unsliver/error.hpp"
 #include "unsliver/mesh.hpp"
+#include "unsliver/points.hpp"
 
 namespace unsliver::fuzz {
 
@@ -30,6 +32,13 @@ inline void require_valid(const TriangleMesh& mesh) {
   require(!mesh.triangles.empty());
   require_valid(mesh.points);
   require_valid(mesh.triangles, mesh.points.size());
+}
+
+inline void require_valid(const PointSet& set) {
+  require(!set.points.empty());
+  require_valid(set.points);
+  require(set.sizes.empty() || set.sizes.size() == set.points.size());
+  for (const double size : set.sizes) require(size > 0 && size < std::numeric_limits<double>::infinity());
 }
 
 inline void require_valid(const TetMesh& mesh) {

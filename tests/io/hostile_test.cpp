@@ -127,5 +127,16 @@ TEST(Hostile, Tetgen) {
   expect_sturdy({face}, [&](std::string_view bytes) { return parse_tetgen({node, ele, bytes}, "fuzz"); });
 }
 
+TEST(Hostile, Points) {
+  expect_sturdy({"0 0 0\n1 0 0\n# two\n0 1 1e5\n", "2\nwater\nO 0 0 0\nH 1 0 0 .5\n"},
+                [](std::string_view bytes) { return parse_xyz(bytes, "fuzz"); });
+  expect_sturdy({"0,0,0\n1,0,0\n", "id,\"y\",x,s,Z\n1,2,3,4,5\n1,\"2\",3,4,5\n", "#x;y;z;u\n1;2;3;,\n"},
+                [](std::string_view bytes) { return parse_csv(bytes, "fuzz"); });
+  expect_sturdy({"REMARK 1\nATOM 1 N MET A 1 0 0 0 0 1.5\nHETATM 2 O HOH 2 1 1 1 0 1\nEND\n"},
+                [](std::string_view bytes) { return parse_pqr(bytes, "fuzz"); });
+  expect_sturdy({"2 3 1 0\n1 0 0 0 7\n2 1 0 0 7\n"},
+                [](std::string_view bytes) { return parse_node(bytes, "fuzz"); });
+}
+
 }  // namespace
 }  // namespace unsliver::io
