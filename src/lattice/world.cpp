@@ -21,6 +21,25 @@ Vec3 rounded(const Vec3& a) {
   return {std::nearbyint(a.x) + 0.0, std::nearbyint(a.y) + 0.0, std::nearbyint(a.z) + 0.0};  // no -0
 }
 
+/// The integer nearest to (x - origin) / unit, as World::to_world promises.
+///
+/// The quotient q is rounded twice, so it errs by about 2^-52 |q| at most, a sixteenth; only near a
+/// half-integer h can that matter. There d + lost = x - origin (Knuth's two-sum), and d - unit h is a double:
+/// below |d| and unit / 4 in magnitude, and a multiple of the last place of d or of 2^(e - 1).
+double nearest_step(double x, double origin, double unit) {
+  const double d = x - origin;
+  const double q = d / unit;
+  const double nearest = std::nearbyint(q);
+  constexpr double kSure = 0.5 - 0x1p-3;
+  if (!(std::abs(q) <= kReach + 1) || std::abs(q - nearest) < kSure) return nearest;
+  const double part = d - x;
+  const double lost = (x - (d - part)) - (origin + part);
+  const double h = std::floor(q) + 0.5;
+  const double beyond = std::fma(-unit, h, d) + lost;
+  if (beyond == 0) return std::nearbyint(h);
+  return beyond < 0 ? h - 0.5 : h + 0.5;
+}
+
 Vec3 divide(const Vec3& a, double s) { return {a.x / s, a.y / s, a.z / s}; }
 
 /// A positive number as m * 2^e, 64 <= m < 128 (m an integer for units, any real for sizes).
@@ -173,7 +192,12 @@ World::World(const Frame& frame) : frame_(frame), shift_(divide(frame.origin, fr
   finest_level_ = 2 * *z + 1;
 }
 
-Vec3 World::to_world(const Vec3& x) const { return rounded(to_world_real(x)); }
+Vec3 World::to_world(const Vec3& x) const {
+  const auto coordinate = [&](int axis) {
+    return nearest_step(x[axis], frame_.origin[axis], frame_.unit) + 0.0;  // no -0
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
 
 Vec3 World::to_world_real(const Vec3& x) const { return divide(x - frame_.origin, frame_.unit); }
 

@@ -46,7 +46,9 @@ class World {
   /// is small and m a short number; an odd level).
   Level finest_level() const { return finest_level_; }
 
-  /// Rounded to the nearest world point (a tie, to a relative 2^-53, goes either way).
+  /// The nearest world point: each coordinate is the integer nearest to (x - origin) / unit, a tie going to
+  /// the even one. Decided exactly where that integer is at most 2^48 in magnitude; beyond, the result is
+  /// beyond too (infinite or NaN for x that is).
   Vec3 to_world(const Vec3& x) const;
   /// Not rounded: for real points such as circumcentres.
   Vec3 to_world_real(const Vec3& x) const;

@@ -68,18 +68,32 @@ void expect_form(const World& world, const Box3& box) {
   }
 }
 
+/// Is q the integer nearest to (x - origin) / unit, a tie going to the even one?
+void expect_nearest(const World& world, double x, int axis, double q) {
+  EXPECT_EQ(q, std::floor(q));
+  EXPECT_FALSE(q == 0 && std::signbit(q));
+  const Rational exact = (Rational(x) - Rational(world.frame().origin[axis])) / Rational(world.unit());
+  const Rational error = abs(Rational(q) - exact), half(1, 2);
+  EXPECT_LE(error, half);
+  EXPECT_TRUE(error != half || std::fmod(q, 2) == 0) << q;
+}
+
+/// x where the nearest integer is hard to tell: the double next to a half-integer, and its neighbours.
+double near_tie(const World& world, int axis, Random& random) {
+  const std::int64_t bound = std::int64_t{1} << random.integer(0, 48);
+  const Rational half(2 * random.integer(-bound, bound - 1) + 1, 2);
+  const Rational x = Rational(world.frame().origin[axis]) + Rational(world.unit()) * half;
+  const double rounded = x.convert_to<double>();
+  const double infinity = std::numeric_limits<double>::infinity();
+  return std::nextafter(rounded, infinity * double(random.integer(0, 1) * 2 - 1));
+}
+
 void expect_rounding(const World& world, const Box3& box, Random& random) {
   for (int i = 0; i < 10; ++i) {
-    const Vec3 x{random.real(box.lo.x, box.hi.x), random.real(box.lo.y, box.hi.y),
-                 random.real(box.lo.z, box.hi.z)};
+    Vec3 x{random.real(box.lo.x, box.hi.x), random.real(box.lo.y, box.hi.y), random.real(box.lo.z, box.hi.z)};
+    if (i % 2 == 0) x = {near_tie(world, 0, random), near_tie(world, 1, random), near_tie(world, 2, random)};
     const Vec3 q = world.to_world(x);
-    for (const int axis : {0, 1, 2}) {
-      EXPECT_EQ(q[axis], std::floor(q[axis]));
-      EXPECT_FALSE(q[axis] == 0 && std::signbit(q[axis]));
-      const Rational exact =
-          (Rational(x[axis]) - Rational(world.frame().origin[axis])) / Rational(world.unit());
-      EXPECT_LE(abs(Rational(q[axis]) - exact), Rational(0.5 + 0x1p-7));
-    }
+    for (const int axis : {0, 1, 2}) expect_nearest(world, x[axis], axis, q[axis]);
   }
 }
 
@@ -126,6 +140,49 @@ TEST(World, FitsRandomJobs) {
     const double ratio = random.real(-1, 1) * std::ldexp(1.0, int(random.integer(-10, 21)));
     check_fit(extent, ratio, std::ldexp(random.real(0.5, 1), int(random.integer(-19, 2))), random);
   }
+}
+
+TEST(World, RoundsTiesToEvenAndTellsWhatIsNextToThem) {
+  Random random(44);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double unit : {64.0, 96.0, 127.0, 101 * 0x1p-60, 77 * 0x1p-990, 113 * 0x1p900}) {
+    for (const double shift : {0.0, 0x1p40, -3 * 0x1p47, 5 * 0x1p60}) {
+      const World world(Frame{unit, {shift * unit, -shift * unit, 0}});
+      for (int i = 0; i < 200; ++i) {
+        const std::int64_t bound = std::int64_t{1} << random.integer(0, 48);
+        const double half = double(random.integer(-bound, bound - 1)) + 0.5;
+        const double tie = world.frame().origin.x + unit * half;  // to rounding
+        for (const double x : {tie, std::nextafter(tie, infinity), std::nextafter(tie, -infinity)})
+          expect_nearest(world, x, 0, world.to_world({x, 0, 0}).x);
+      }
+    }
+  }
+  const World standard{Frame{}};
+  for (const double q : {0.5, 1.5, -0.5, -1.5, 2.5, 0x1p47 - 0.5, 0x1p47 + 0.5})
+    EXPECT_EQ(standard.to_world({q, 0, 0}).x, std::nearbyint(q)) << q;
+}
+
+/// Digits of x far below the last place of x - origin decide.
+TEST(World, NoDigitIsTooSmallToBreakATie) {
+  const World world(Frame{2, {6, 2, 0}});
+  EXPECT_EQ(world.to_world({1, 1, 1}), (Vec3{-2, 0, 0}));  // -2.5, -0.5 and 0.5
+  EXPECT_EQ(world.to_world({std::nextafter(1, 0), std::nextafter(1, 0), std::nextafter(1, 2)}),
+            (Vec3{-3, -1, 1}));
+  const World far(Frame{2, {0x1p48, 0x1p48, -0x1p48}});
+  EXPECT_EQ(far.to_world({1, std::nextafter(1, 2), 1}), (Vec3{-0x1p47, 1 - 0x1p47, 0x1p47}));
+  EXPECT_EQ(far.to_world({-1, -1, std::nextafter(1, 2)}), (Vec3{-0x1p47, -0x1p47, 0x1p47 + 1}));
+  const World tiny(Frame{127, {0, 0, 0}});
+  EXPECT_EQ(tiny.to_world({63.5, 190.5, -63.5}), (Vec3{0, 2, 0}));
+  EXPECT_EQ(tiny.to_world({std::nextafter(63.5, 64), std::nextafter(190.5, 0), std::nextafter(-63.5, -64)}),
+            (Vec3{1, 1, -1}));
+}
+
+TEST(World, CoordinatesBeyondTheWorldStayBeyondIt) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const World world(Frame{0x1p-44, {1, 1, 1}});
+  for (const double x : {20.0, -20.0, 1e200, -1.7e308, infinity, -infinity})
+    EXPECT_GE(std::abs(world.to_world({x, 0, 0}).x), 0x1p48) << x;
+  EXPECT_TRUE(std::isnan(world.to_world({std::nan(""), 0, 0}).x));
 }
 
 TEST(World, FitDecidesTheLastDigit) {
