@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "geom/shape_cache.hpp"
 #include "geom/tetrahedron.hpp"
 
 namespace unsliver {
@@ -48,6 +49,18 @@ int normalizing_exponent(const std::vector<Vec3>& points) {
 
 Tet operator*(double s, const Tet& t) { return {s * t[0], s * t[1], s * t[2], s * t[3]}; }
 
+/// visit(id, scale * corners) for each tetrahedron in turn. Corners lie far apart in memory: they are asked
+/// for some tetrahedra ahead.
+template <class Visit>
+void for_each_tet(const TetMesh& mesh, double scale, const Visit& visit) {
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    if (i + kAhead < mesh.tets.size())
+      for (const VertexId v : mesh.tets[i + kAhead]) __builtin_prefetch(&mesh.points[v]);
+    visit(i, scale * mesh.corners(i));
+  }
+}
+
 /// Cotangents of the smallest and the largest angle.
 struct Extremes {
   double min_angle = -std::numeric_limits<double>::infinity();
@@ -65,17 +78,34 @@ Extremes extremes_of(const std::array<double, 6>& cotangents) {
   return extremes;
 }
 
-void count_angles(const Extremes& angles, const Limits& limits, QualitySummary& summary) {
-  for (std::size_t i = 0; i < limits.below.size(); ++i)
-    summary.below[i] += angles.min_angle > limits.below[i];
-  summary.outside_30_135 += angles.min_angle > limits.smallest || angles.max_angle < limits.largest;
+/// What a summary takes from a tetrahedron: it depends on the shape alone.
+struct Measures {
+  Extremes angles;
+  double radius_edge, volume;
+  std::array<std::uint8_t, 6> bins;
+  std::uint8_t below;  ///< how many of Limits::below its smallest angle is below
+  bool outside;        ///< of 30 to 135 degrees
+};
+
+Measures measure(const Tet& t, const Limits& limits) {
+  const auto cotangents = geom::dihedral_cotangents(t);
+  Measures m{};
+  m.angles = extremes_of(cotangents);
+  m.radius_edge = geom::radius_edge_ratio(t);
+  m.volume = geom::volume(t);
+  for (std::size_t i = 0; i < 6; ++i) m.bins[i] = std::uint8_t(bin_of(cotangents[i], limits));
+  for (const double limit : limits.below) m.below += m.angles.min_angle > limit;
+  m.outside = m.angles.min_angle > limits.smallest || m.angles.max_angle < limits.largest;
+  return m;
 }
 
-void count_volume(const Tet& t, QualitySummary& summary) {
-  const double volume = geom::volume(t);
-  summary.volume += std::abs(volume);
-  summary.inverted += volume < 0;
-  summary.flat += volume == 0;
+void count(const Measures& m, QualitySummary& summary) {
+  for (const std::uint8_t bin : m.bins) ++summary.histogram[bin];
+  for (std::size_t i = summary.below.size() - m.below; i < summary.below.size(); ++i) ++summary.below[i];
+  summary.outside_30_135 += m.outside;
+  summary.volume += std::abs(m.volume);
+  summary.inverted += m.volume < 0;
+  summary.flat += m.volume == 0;
 }
 
 struct Candidate {
@@ -114,17 +144,14 @@ QualitySummary summarize_quality(const TetMesh& mesh, std::size_t worst_count) {
   QualitySummary summary;
   Extremes extremes;
   std::vector<Candidate> worst;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const Tet t = to_unit * mesh.corners(i);
-    const auto cotangents = geom::dihedral_cotangents(t);
-    const Extremes angles = extremes_of(cotangents);
-    for (const double c : cotangents) ++summary.histogram[bin_of(c, limits)];
-    count_angles(angles, limits, summary);
-    count_volume(t, summary);
-    extremes.add(angles);
-    summary.max_radius_edge = std::max(summary.max_radius_edge, geom::radius_edge_ratio(t));
-    keep_worst({angles.min_angle, i}, worst_count, worst);
-  }
+  geom::ShapeCache<Measures> cache;
+  for_each_tet(mesh, to_unit, [&](std::size_t i, Tet tet) {
+    const Measures& m = cache.get(tet, [&](const Tet& t) { return measure(t, limits); });
+    count(m, summary);
+    extremes.add(m.angles);
+    summary.max_radius_edge = std::max(summary.max_radius_edge, m.radius_edge);
+    keep_worst({m.angles.min_angle, i}, worst_count, worst);
+  });
   summary.tets = mesh.tets.size();
   summary.min_dihedral_deg = degrees(extremes.min_angle);
   summary.max_dihedral_deg = degrees(extremes.max_angle);
@@ -137,10 +164,12 @@ QualitySummary summarize_quality(const TetMesh& mesh, std::size_t worst_count) {
 std::vector<float> min_dihedral_angles_deg(const TetMesh& mesh) {
   const double to_unit = std::ldexp(1.0, normalizing_exponent(mesh.points));
   std::vector<float> angles(mesh.tets.size());
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const Extremes extremes = extremes_of(geom::dihedral_cotangents(to_unit * mesh.corners(i)));
-    angles[i] = float(degrees(extremes.min_angle));
-  }
+  geom::ShapeCache<float> cache;
+  for_each_tet(mesh, to_unit, [&](std::size_t i, Tet tet) {
+    angles[i] = cache.get(tet, [](const Tet& t) {
+      return float(degrees(extremes_of(geom::dihedral_cotangents(t)).min_angle));
+    });
+  });
   return angles;
 }
 

@@ -114,6 +114,48 @@ TEST(Quality, WorstAreTheSmallestAnglesInOrderTiesById) {
   }
 }
 
+// Repeated shapes are remembered: nothing may depend on it.
+TEST(Quality, TetrahedraCountAsTheyDoAlone) {
+  std::mt19937_64 bits(6);
+  const auto integer = [&](int count) { return double(bits() % unsigned(count)); };
+  const Tet shapes[] = {kBcc, kExtreme, mirrored(kExtreme), kFlat};
+  std::vector<Tet> tets;
+  for (int i = 0; i < 15000; ++i) {
+    Tet t = shapes[bits() % 4];
+    const Vec3 shift = {integer(50), integer(50), integer(50)};
+    for (Vec3& p : t) p = p + shift;
+    if (i / 5000 == 1) t[0].x += 1e-3 * integer(1000000);
+    tets.push_back(t);
+  }
+  const TetMesh mesh = mesh_of(tets);
+  const QualitySummary all = summarize_quality(mesh);
+  const std::vector<float> angles = min_dihedral_angles_deg(mesh);
+  QualitySummary sum;
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    const TetMesh alone = mesh_of({tets[i]});
+    const QualitySummary one = summarize_quality(alone);
+    for (std::size_t j = 0; j < sum.histogram.size(); ++j) sum.histogram[j] += one.histogram[j];
+    for (std::size_t j = 0; j < sum.below.size(); ++j) sum.below[j] += one.below[j];
+    sum.outside_30_135 += one.outside_30_135;
+    sum.inverted += one.inverted;
+    sum.flat += one.flat;
+    sum.volume += one.volume;
+    sum.min_dihedral_deg = std::min(sum.min_dihedral_deg, one.min_dihedral_deg);
+    sum.max_dihedral_deg = std::max(sum.max_dihedral_deg, one.max_dihedral_deg);
+    sum.max_radius_edge = std::max(sum.max_radius_edge, one.max_radius_edge);
+    ASSERT_EQ(angles[i], min_dihedral_angles_deg(alone)[0]) << "tetrahedron " << i;
+  }
+  EXPECT_EQ(all.histogram, sum.histogram);
+  EXPECT_EQ(all.below, sum.below);
+  EXPECT_EQ(all.outside_30_135, sum.outside_30_135);
+  EXPECT_EQ(all.inverted, sum.inverted);
+  EXPECT_EQ(all.flat, sum.flat);
+  EXPECT_EQ(all.volume, sum.volume);
+  EXPECT_EQ(all.min_dihedral_deg, sum.min_dihedral_deg);
+  EXPECT_EQ(all.max_dihedral_deg, sum.max_dihedral_deg);
+  EXPECT_EQ(all.max_radius_edge, sum.max_radius_edge);
+}
+
 TEST(Quality, BelowCountsTetrahedraOnceAtEachLimit) {
   // Two faces meeting at a given angle along the x axis, all other angles larger.
   const auto wedge = [](double deg) {
