@@ -7,9 +7,10 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "io/output.hpp"
+#include "io/atomic_file.hpp"
 #include "io/vtu_names.hpp"
 #include "io/writers.hpp"
 #include "io/zlib_blocks.hpp"
@@ -39,12 +40,12 @@ class VtuWriter {
       : mesh_(mesh), min_dihedral_deg_(min_dihedral_deg) {}
 
   void write(const std::filesystem::path& path) {
-    Output out(path);  // first: a path that cannot be written costs no compression
+    AtomicFile file(path);  // first: a path that cannot be written costs no compression
     describe();
-    out.put(tags_);
-    for (const std::string& array : appended_) out.put(array);
-    out.put("\n  </AppendedData>\n</VTKFile>\n");
-    out.commit();
+    file.write(tags_);
+    for (const std::string& array : appended_) file.write(array);
+    file.write("\n  </AppendedData>\n</VTKFile>\n");
+    file.commit();
   }
 
  private:
@@ -79,11 +80,9 @@ class VtuWriter {
 
   void describe_cell_data() {
     if (!mesh_.regions.empty() || !mesh_.triangle_labels.empty())
-      array<std::int32_t>(kVtuRegion,
-                          joined<std::int32_t>(mesh_.regions, mesh_.triangle_labels, std::int32_t{0}));
+      cell_array<std::int32_t>(kVtuRegion, mesh_.regions, mesh_.triangle_labels, 0);
     if (!min_dihedral_deg_.empty())
-      array<float>(kVtuMinDihedral,
-                   joined<float>(min_dihedral_deg_, {}, std::numeric_limits<float>::quiet_NaN()));
+      cell_array<float>(kVtuMinDihedral, min_dihedral_deg_, {}, std::numeric_limits<float>::quiet_NaN());
   }
 
   void describe_points() {
@@ -95,14 +94,16 @@ class VtuWriter {
   void describe_cells() {
     constexpr std::uint64_t kMaxInt32 = std::numeric_limits<std::int32_t>::max();
     const std::uint64_t entries = 4 * mesh_.tets.size() + 3 * mesh_.triangles.size();
-    if (mesh_.points.size() <= kMaxInt32)
-      array<std::int32_t>("connectivity", connectivity<std::int32_t>(entries));
-    else
+    if (mesh_.points.size() > kMaxInt32)
       array<std::int64_t>("connectivity", connectivity<std::int64_t>(entries));
-    if (entries <= kMaxInt32)
-      array<std::int32_t>("offsets", ends<std::int32_t>());
+    else if (mesh_.triangles.empty() && !mesh_.tets.empty())
+      index_array("connectivity", {mesh_.tets.front().data(), entries});
     else
+      index_array("connectivity", connectivity<std::uint32_t>(entries));
+    if (entries > kMaxInt32)
       array<std::int64_t>("offsets", ends<std::int64_t>());
+    else
+      index_array("offsets", ends<std::uint32_t>());
     std::vector<std::uint8_t> types(cell_count(), kVtkTriangle);
     std::fill_n(types.begin(), mesh_.tets.size(), static_cast<std::uint8_t>(kVtkTetra));
     array<std::uint8_t>("types", types);
@@ -127,16 +128,6 @@ class VtuWriter {
     return all;
   }
 
-  // Values of the tetrahedra, then of the triangles; `missing` for those that have none.
-  template <class T>
-  std::vector<T> joined(std::span<const T> of_tets, std::span<const T> of_triangles, T missing) const {
-    std::vector<T> all(of_tets.begin(), of_tets.end());
-    all.resize(mesh_.tets.size(), missing);
-    all.insert(all.end(), of_triangles.begin(), of_triangles.end());
-    all.resize(cell_count(), missing);
-    return all;
-  }
-
   template <class Content>
   void section(std::string_view name, const Content& content) {
     tag("      <", name, ">\n");
@@ -146,10 +137,32 @@ class VtuWriter {
 
   template <class T>
   void array(std::string_view name, std::span<const T> values, std::string_view shape = "") {
+    append<T>(name, shape, compress_blocks(bytes_of(values)));
+  }
+
+  // Requires indices below 2^31.
+  void index_array(std::string_view name, std::span<const std::uint32_t> indices) {
+    append<std::int32_t>(name, "", compress_words(indices));
+  }
+
+  // Values of the tetrahedra, then of the triangles; `missing` for those that have none.
+  template <class T>
+  void cell_array(std::string_view name, std::span<const T> of_tets, std::span<const T> of_triangles,
+                  T missing) {
+    if (of_tets.size() == cell_count()) return array<T>(name, of_tets);
+    std::vector<T> all(of_tets.begin(), of_tets.end());
+    all.resize(mesh_.tets.size(), missing);
+    all.insert(all.end(), of_triangles.begin(), of_triangles.end());
+    all.resize(cell_count(), missing);
+    array<T>(name, all);
+  }
+
+  template <class T>
+  void append(std::string_view name, std::string_view shape, std::string compressed) {
     tag("        <DataArray type=\"", vtk_type_name<T>(), "\" Name=\"", name, "\" ", shape,
         "format=\"appended\" offset=\"", std::to_string(appended_size_), "\"/>\n");
-    appended_.push_back(compress_blocks(bytes_of(values)));
-    appended_size_ += appended_.back().size();
+    appended_size_ += compressed.size();
+    appended_.push_back(std::move(compressed));
   }
 
   template <class... Parts>

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstring>
+#include <random>
 
 #include "io/readers.hpp"
 #include "io/vtu_document.hpp"
@@ -222,6 +223,50 @@ TEST(Vtu, WritesWhatIsGivenForTetrahedra) {
   for (int triangle = 2; triangle < 5; ++triangle) EXPECT_TRUE(std::isnan(values[triangle]));
 }
 
+// Long enough for several blocks in each array.
+TEST(Vtu, LargeMeshesComeBack) {
+  TemporaryFolder folder;
+  std::mt19937_64 bits(7);
+  TetMesh mesh;
+  for (std::uint32_t i = 0; i < 60000; ++i) mesh.points.push_back({0.5 * i, double(bits() % 1000), 1e-3 * i});
+  for (std::uint32_t i = 0; i < 290000; ++i) {
+    const auto near = [&] { return VertexId(i / 5 + bits() % 300); };
+    mesh.tets.push_back({near(), near(), near(), near()});
+  }
+  const auto expect_back = [&] {
+    write_tet_mesh(folder / "a.vtu", mesh);
+    const TetMesh back = read_tet_mesh(folder / "a.vtu");
+    EXPECT_EQ(back.points, mesh.points);
+    EXPECT_EQ(back.tets, mesh.tets);
+    EXPECT_EQ(back.triangles, mesh.triangles);
+  };
+  expect_back();
+  for (std::uint32_t i = 0; i < 90000; ++i) mesh.triangles.push_back({i / 2, i / 2 + 1, i / 2 + 9});
+  expect_back();
+}
+
+// The header of a compressed array, and the streams behind it.
+void expect_blocks(const std::string& blocks, const std::string& data) {
+  const std::size_t kBlock = 32 * 32768, count = (data.size() + kBlock - 1) / kBlock;
+  const auto header = [&](std::size_t i) {
+    std::uint64_t value;
+    std::memcpy(&value, blocks.data() + 8 * i, 8);
+    return value;
+  };
+  EXPECT_EQ(header(0), count);
+  EXPECT_EQ(header(1), kBlock);
+  EXPECT_EQ(header(2), data.size() % kBlock);
+  std::size_t position = 8 * (3 + count);
+  for (std::size_t block = 0; block < count; ++block) {
+    std::string out(std::min(kBlock, data.size() - block * kBlock), '\0');
+    ASSERT_TRUE(decompress_block(std::string_view(blocks).substr(position, header(3 + block)), out.data(),
+                                 out.size()));
+    EXPECT_EQ(out, data.substr(block * kBlock, kBlock));
+    position += header(3 + block);
+  }
+  EXPECT_EQ(position, blocks.size());
+}
+
 TEST(ZlibBlocks, HeaderFollowsVtk) {
   const std::size_t kBlock = 32 * 32768;
   for (const std::size_t size :
@@ -229,25 +274,11 @@ TEST(ZlibBlocks, HeaderFollowsVtk) {
     SCOPED_TRACE(size);
     std::string data(size, '\0');
     for (std::size_t i = 0; i < size; ++i) data[i] = static_cast<char>(i * i >> 7);
-    const std::string blocks = compress_blocks(data);
-    const auto header = [&](std::size_t i) {
-      std::uint64_t value;
-      std::memcpy(&value, blocks.data() + 8 * i, 8);
-      return value;
-    };
-    const std::size_t count = (size + kBlock - 1) / kBlock;
-    EXPECT_EQ(header(0), count);
-    EXPECT_EQ(header(1), kBlock);
-    EXPECT_EQ(header(2), size % kBlock);
-    std::size_t position = 8 * (3 + count);
-    for (std::size_t block = 0; block < count; ++block) {
-      std::string out(std::min(kBlock, size - block * kBlock), '\0');
-      ASSERT_TRUE(decompress_block(std::string_view(blocks).substr(position, header(3 + block)), out.data(),
-                                   out.size()));
-      EXPECT_EQ(out, data.substr(block * kBlock, kBlock));
-      position += header(3 + block);
-    }
-    EXPECT_EQ(position, blocks.size());
+    expect_blocks(compress_blocks(data), data);
+    std::vector<std::uint32_t> words(size / 4);
+    data.resize(4 * words.size());
+    std::memcpy(words.data(), data.data(), data.size());
+    expect_blocks(compress_words(words), data);
   }
 }
 
