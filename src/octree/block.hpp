@@ -1,0 +1,56 @@
+/// \file
+/// A node's eight children and the layer of cells around them: 4 x 4 x 4 cells of equal side.
+///
+/// Place (i, j, k), each in 0..3, has number i + 4j + 16k; the children are those with i, j, k in {1, 2}. The
+/// neighbour of place p by (dx, dy, dz), each in -1..1, is p + offset(dx, dy, dz). Where the forest is
+/// coarser than the block's cells, the leaf that holds the cell stands in its place.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "octree/forest.hpp"
+
+namespace unsliver::octree {
+
+constexpr int offset(int dx, int dy, int dz) { return dx + 4 * dy + 16 * dz; }
+/// The place of the first child; masks of neighbours are stated relative to it.
+inline constexpr int kFirstPlace = offset(1, 1, 1);
+constexpr int place_of_child(int number) {
+  return kFirstPlace + offset(number & 1, number >> 1 & 1, number >> 2);
+}
+
+struct Block {
+  std::array<NodeId, 64> node;        ///< kNoNode beyond the forest
+  std::array<std::int32_t, 64> link;  ///< Node::link, -1 beyond the forest
+  /// One bit a place: there is a node; it has the block's own exponent; it has children; it is a leaf of the
+  /// block's exponent with a centre.
+  std::uint64_t exists = 0, same = 0, split = 0, centered = 0;
+
+  /// A mask seen from a place that holds a child: bit kFirstPlace + offset is that of the neighbour.
+  static std::uint64_t around(std::uint64_t mask, int place) { return mask >> (place - kFirstPlace); }
+
+  void set(const Forest& forest, int place, NodeId n, bool is_same);
+};
+
+inline void Block::set(const Forest& forest, int place, NodeId n, bool is_same) {
+  const auto i = std::size_t(place);
+  node[i] = n;
+  link[i] = -1;
+  if (n == kNoNode) return;
+  const Node& at = forest[n];
+  link[i] = at.link;
+  exists |= std::uint64_t{1} << place;
+  const bool has_children = !at.is_leaf();
+  same |= std::uint64_t(is_same) << place;
+  split |= std::uint64_t(has_children) << place;
+  centered |= std::uint64_t(is_same && !has_children && (at.flags & kHasCenter) != 0) << place;
+}
+
+/// The block whose first child is root (i, j, k): the roots around it.
+Block root_block(const Forest& forest, int i, int j, int k);
+/// The block of the children of the node at a place of `parent` that holds a child and is split.
+Block child_block(const Forest& forest, const Block& parent, int place);
+
+}  // namespace unsliver::octree

@@ -1,0 +1,238 @@
+#include "octree/emission.hpp"
+
+#include <atomic>
+#include <bit>
+#include <limits>
+
+#include "lattice/level.hpp"
+#include "octree/parallel.hpp"
+#include "unsliver/error.hpp"
+
+namespace unsliver::octree {
+namespace {
+
+constexpr std::size_t kTasksPerThread = 64;
+
+/// Corner of a leaf that an own vertex number above 0 stands for.
+Vec3 own_point(const Cell& cell, int own) {
+  if (own == 0) return cell.center();
+  const double side = double(cell.side());
+  const int corner = own - 1;
+  return cell.corner() + Vec3{side * (corner & 1), side * (corner >> 1 & 1), side * (corner >> 2)};
+}
+
+/// The number of ones, for the nine bits of Node::used.
+constexpr auto kOnes = [] {
+  std::array<std::uint8_t, 512> table{};
+  for (std::size_t i = 0; i < 512; ++i) table[i] = std::uint8_t(std::popcount(i));
+  return table;
+}();
+
+/// Calls leaf(view) for the leaves below a node that can own kept tetrahedra, in depth-first order.
+template <class OnLeaf>
+void for_each_leaf(const Forest& forest, const Block& block, int place, const Cell& cell,
+                   const OnLeaf& on_leaf) {
+  const Node& node = forest[cell.node];
+  if ((node.flags & kOutside) != 0) return;
+  if (node.is_leaf()) return on_leaf(LeafView{forest, block, place, cell});
+  const Block inner = child_block(forest, block, place);
+  for (int child = 0; child < 8; ++child)
+    for_each_leaf(forest, inner, place_of_child(child), forest.child(cell, child), on_leaf);
+}
+
+/// The same for all leaves, without their neighbours.
+template <class OnLeaf>
+void for_each_cell(const Forest& forest, const Cell& cell, const OnLeaf& on_leaf) {
+  if (forest[cell.node].is_leaf()) return on_leaf(cell);
+  for (int child = 0; child < 8; ++child) for_each_cell(forest, forest.child(cell, child), on_leaf);
+}
+
+/// World coordinates of a slot.
+Vec3 slot_point(const LeafView& leaf, Key key, int slot) {
+  const int face = (slot - kFirstBeyond) >> 2;
+  const auto at = slot_position(slot, slot >= kFirstBeyond && key.face(face) == kHalved);
+  const double quarter = 0.25 * double(leaf.cell.side());
+  return leaf.cell.corner() + quarter * Vec3{double(at[0]), double(at[1]), double(at[2])};
+}
+
+}  // namespace
+
+Emission::Emission(Forest& forest, Settings settings) : forest_(forest), settings_(std::move(settings)) {
+  settings_.threads = std::max(1u, settings_.threads);
+  cut_into_tasks();
+  for (unsigned i = 0; i < settings_.threads; ++i) caches_.emplace_back(templates_);
+}
+
+void Emission::cut_into_tasks() {
+  const auto count = forest_.brick().count;
+  for (int k = 0; k < count[2]; ++k)
+    for (int j = 0; j < count[1]; ++j)
+      for (int i = 0; i < count[0]; ++i)
+        tasks_.push_back({root_block(forest_, i, j, k), kFirstPlace, forest_.root_cell(i, j, k)});
+  const auto is_split = [&](const Task& task) { return !forest_[task.cell.node].is_leaf(); };
+  while (tasks_.size() < kTasksPerThread * settings_.threads &&
+         std::any_of(tasks_.begin(), tasks_.end(), is_split)) {
+    std::vector<Task> finer;
+    for (const Task& task : tasks_) {
+      if (!is_split(task)) {
+        finer.push_back(task);
+        continue;
+      }
+      const Block inner = child_block(forest_, task.block, task.place);
+      for (int child = 0; child < 8; ++child)
+        finer.push_back({inner, place_of_child(child), forest_.child(task.cell, child)});
+    }
+    tasks_ = std::move(finer);
+  }
+}
+
+template <class Visit>
+void Emission::run_tasks(const Visit& visit) {
+  for_each_task(tasks_.size(), settings_.threads, [&](std::size_t i, unsigned worker) {
+    if (worker == 0 && settings_.poll) settings_.poll();
+    visit(tasks_[i], worker);
+  });
+}
+
+/// Chooses the tetrahedra of one task.
+class Emission::Chooser {
+ public:
+  Chooser(Emission& all, Task& task, TemplateCache& templates)
+      : forest_(all.forest_), keep_(all.settings_.keep), task_(task), templates_(templates) {}
+
+  void operator()(const LeafView& leaf) const {
+    const Key key = key_of(leaf);
+    const Template& made = templates_[key];
+    ++task_.leaves;
+    if ((forest_[leaf.cell.node].flags & kInside) != 0)
+      take_all(leaf, made);
+    else
+      take_some(leaf, key, made);
+  }
+
+ private:
+  void take_all(const LeafView& leaf, const Template& made) const {
+    task_.tets += made.tets.size();
+    for (const int slot : made.slots) mark(leaf, slot);
+  }
+
+  void take_some(const LeafView& leaf, Key key, const Template& made) const {
+    std::array<Vec3, kSlotCount> points;
+    for (const std::size_t slot : made.slots) points[slot] = slot_point(leaf, key, int(slot));
+    std::uint64_t slots = 0, word = 0;
+    for (std::size_t i = 0; i < made.tets.size(); ++i) {
+      const auto& t = made.tets[i];
+      if (i % 64 == 0 && i > 0) task_.kept.push_back(std::exchange(word, 0));
+      if (!keep_({points[t[0]], points[t[1]], points[t[2]], points[t[3]]})) continue;
+      word |= std::uint64_t{1} << i % 64;
+      for (const int slot : t) slots |= std::uint64_t{1} << slot;
+      ++task_.tets;
+    }
+    task_.kept.push_back(word);
+    task_.tested += made.tets.size();
+    for (; slots != 0; slots &= slots - 1) mark(leaf, std::countr_zero(slots));
+  }
+
+  void mark(const LeafView& leaf, int slot) const {
+    const VertexRef vertex = vertex_at(leaf, slot);
+    std::atomic_ref<std::uint16_t> used(forest_[vertex.leaf].used);
+    if ((used.load(std::memory_order_relaxed) & vertex.bit()) == 0)
+      used.fetch_or(std::uint16_t(vertex.bit()), std::memory_order_relaxed);
+  }
+
+  Forest& forest_;
+  const std::function<bool(const Tet&)>& keep_;
+  Task& task_;
+  TemplateCache& templates_;
+};
+
+void Emission::choose() {
+  run_tasks([&](Task& task, unsigned worker) {
+    for_each_leaf(forest_, task.block, task.place, task.cell, Chooser(*this, task, caches_[worker]));
+  });
+  for (Task& task : tasks_) {
+    task.first_tet = tet_count_;
+    tet_count_ += task.tets;
+    leaf_count_ += task.leaves;
+    tested_tets_ += task.tested;
+  }
+}
+
+void Emission::number() {
+  run_tasks([&](Task& task, unsigned) {
+    for_each_cell(forest_, task.cell,
+                  [&](const Cell& cell) { task.vertices += kOnes[forest_[cell.node].used]; });
+  });
+  for (Task& task : tasks_) {
+    task.first_vertex = vertex_count_;
+    vertex_count_ += task.vertices;
+  }
+  if (vertex_count_ > std::uint64_t(std::numeric_limits<std::int32_t>::max()))
+    throw Error(ErrorCode::kLimit, "the mesh would have 2^31 vertices or more: ask for larger sizes");
+  run_tasks([&](Task& task, unsigned) {
+    auto next = std::int32_t(task.first_vertex);
+    for_each_cell(forest_, task.cell, [&](const Cell& cell) {
+      Node& node = forest_[cell.node];
+      node.link = ~next;
+      next += kOnes[node.used];
+    });
+  });
+}
+
+void Emission::write_points(const std::function<void(VertexId, const Vec3&)>& place) {
+  run_tasks([&](Task& task, unsigned) {
+    auto next = VertexId(task.first_vertex);
+    for_each_cell(forest_, task.cell, [&](const Cell& cell) {
+      for (unsigned used = forest_[cell.node].used; used != 0; used &= used - 1)
+        place(next++, own_point(cell, std::countr_zero(used)));
+    });
+  });
+}
+
+/// Writes the tetrahedra of one task.
+class Emission::Writer {
+ public:
+  Writer(const Emission& all, const Task& task, TemplateCache& templates, std::array<VertexId, 4>*& out)
+      : forest_(all.forest_), kept_(task.kept.data()), templates_(templates), out_(out) {}
+
+  void operator()(const LeafView& leaf) {
+    const Template& made = templates_[key_of(leaf)];
+    VertexId ids[kSlotCount];
+    for (const std::size_t slot : made.slots) ids[slot] = number_of(vertex_at(leaf, int(slot)));
+    const bool all = (forest_[leaf.cell.node].flags & kInside) != 0;
+    std::array<VertexId, 4>* out = out_;
+    for (std::size_t i = 0; i < made.tets.size(); ++i) {
+      const auto& t = made.tets[i];
+      if (all || (kept_[i / 64] >> i % 64 & 1) != 0) *out++ = {ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]]};
+    }
+    out_ = out;
+    if (!all) kept_ += std::max<std::size_t>(1, (made.tets.size() + 63) / 64);
+  }
+
+ private:
+  VertexId number_of(const VertexRef& vertex) const {
+    const Node& owner = forest_[vertex.leaf];
+    return VertexId(~owner.link) + kOnes[owner.used & (vertex.bit() - 1)];
+  }
+
+  const Forest& forest_;
+  const std::uint64_t* kept_;
+  TemplateCache& templates_;
+  std::array<VertexId, 4>*& out_;
+};
+
+void Emission::write_tets(std::array<VertexId, 4>* out) {
+  run_tasks([&](Task& task, unsigned worker) {
+    std::array<VertexId, 4>* next = out + task.first_tet;
+    Writer writer(*this, task, caches_[worker], next);
+    for_each_leaf(forest_, task.block, task.place, task.cell, [&](const LeafView& leaf) { writer(leaf); });
+  });
+}
+
+std::size_t Emission::bytes() const {
+  std::size_t total = forest_.bytes() + tasks_.capacity() * sizeof(Task);
+  for (const Task& task : tasks_) total += task.kept.capacity() * sizeof(std::uint64_t);
+  return total;
+}
+
+}  // namespace unsliver::octree

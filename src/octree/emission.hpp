@@ -1,0 +1,73 @@
+/// \file
+/// From a balanced forest to vertices and tetrahedra: choose, number, write.
+///
+/// The forest is cut into tasks, subtrees in depth-first order; what a task makes goes to its own part of the
+/// result, so that the result does not depend on the number of threads.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "octree/block.hpp"
+#include "octree/template_table.hpp"
+#include "unsliver/mesh.hpp"
+
+namespace unsliver::octree {
+
+class Emission {
+ public:
+  struct Settings {
+    unsigned threads = 1;
+    /// Is a tetrahedron (world coordinates) to be kept? Asked for those of leaves that are neither kInside
+    /// nor kOutside; called from all threads.
+    std::function<bool(const Tet&)> keep;
+    /// Called now and then from the calling thread; may throw.
+    std::function<void()> poll;
+  };
+
+  /// Requires a balanced forest, which must outlive this.
+  Emission(Forest& forest, Settings settings);
+
+  /// --- In this order:
+  /// Chooses the tetrahedra, and marks the vertices that they use.
+  void choose();
+  /// Numbers the vertices in use: in order of their owners, depth first. \throws Error kLimit at 2^31.
+  void number();
+  /// Calls place(number, world point) for each vertex, from all threads.
+  void write_points(const std::function<void(VertexId, const Vec3&)>& place);
+  /// Writes tet_count() tetrahedra, positively oriented.
+  void write_tets(std::array<VertexId, 4>* out);
+
+  std::uint64_t tet_count() const { return tet_count_; }
+  std::uint64_t vertex_count() const { return vertex_count_; }
+  std::uint64_t leaf_count() const { return leaf_count_; }  ///< that own tetrahedra that may be kept
+  std::uint64_t tested_tets() const { return tested_tets_; }
+  std::size_t template_count() const { return templates_.size(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Task {
+    Block block;
+    int place;
+    Cell cell;
+    std::uint64_t leaves = 0, tested = 0, tets = 0, vertices = 0;
+    std::uint64_t first_tet = 0, first_vertex = 0;
+    std::vector<std::uint64_t> kept =
+        {};  ///< one bit a tested tetrahedron, in order; words start anew at each leaf
+  };
+  class Chooser;
+  class Writer;
+
+  void cut_into_tasks();
+  template <class Visit>
+  void run_tasks(const Visit& visit);
+
+  Forest& forest_;
+  Settings settings_;
+  std::vector<Task> tasks_;
+  TemplateStore templates_;
+  std::vector<TemplateCache> caches_;  ///< one a thread
+  std::uint64_t tet_count_ = 0, vertex_count_ = 0, leaf_count_ = 0, tested_tets_ = 0;
+};
+
+}  // namespace unsliver::octree

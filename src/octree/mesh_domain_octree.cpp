@@ -1,0 +1,193 @@
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#include "lattice/world.hpp"
+#include "octree/balance.hpp"
+#include "octree/emission.hpp"
+#include "octree/growth.hpp"
+#include "octree/octree.hpp"
+#include "unsliver/error.hpp"
+
+namespace unsliver::octree {
+namespace {
+
+/// The unit is fitted to this share of the size, as LeafTest works with it.
+constexpr double kFittedShare = 1 - 1e-6;
+/// A lower bound of s below this share of the domain comes from places outside the domain, where s may be
+/// anything.
+constexpr double kUnknownSize = 1e-12;
+constexpr auto kReportInterval = std::chrono::milliseconds(100);
+
+double fit_radius(const Domain& domain, const Sizing& sizing) {
+  const double s = sizing.lower_bound(domain.bounds());
+  const bool known = std::isfinite(s) && s > kUnknownSize * domain.bounds().diagonal();
+  return known ? kFittedShare * s : 0;
+}
+
+Box3 in_world(const Box3& box, const lattice::World& world) {
+  return {world.to_world_real(box.lo), world.to_world_real(box.hi)};
+}
+
+/// Thrown to end a run early.
+struct Stopped {
+  OctreeStatus status;
+};
+
+/// Asks for huge pages, as base/pod_vector.hpp does.
+template <class T>
+void resize_large(std::vector<T>& v, std::size_t n) {
+  v.reserve(n);
+#ifdef __linux__
+  constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21;
+  const auto begin = (reinterpret_cast<std::uintptr_t>(v.data()) + kHugePage - 1) & ~(kHugePage - 1);
+  const auto end = reinterpret_cast<std::uintptr_t>(v.data() + n) & ~(kHugePage - 1);
+  if (end > begin) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+  v.resize(n);
+}
+
+class Run {
+ public:
+  Run(const Domain& domain, const Sizing& sizing, const OctreeOptions& options, const Control& control)
+      : domain_(domain),
+        options_(options),
+        control_(control),
+        world_(lattice::World::fit(domain.bounds(), fit_radius(domain, sizing))),
+        test_(domain, sizing, world_),
+        forest_(brick_around(in_world(domain.bounds(), world_))) {}
+
+  void run() {
+    enter("size");
+    growth_ = grow(forest_, test_,
+                   {options_.threads, options_.all_centers, [this](std::uint64_t bytes) { poll(bytes); }});
+    enter("balance");
+    stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
+    enter("choose");
+    emission_.emplace(forest_,
+                      Emission::Settings{options_.threads, [this](const Tet& t) { return meets_domain(t); },
+                                         [this] { poll(forest_.bytes()); }});
+    emission_->choose();
+    check_caps();
+    enter("number");
+    emission_->number();
+    enter("write");
+    write();
+  }
+
+  void finish_phase() {
+    if (phase_ == nullptr) return;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - phase_start_;
+    stats_.phases.push_back({phase_, elapsed.count()});
+    phase_ = nullptr;
+  }
+
+  OctreeStats stats() const {
+    OctreeStats stats = stats_;
+    stats.nodes = forest_.size();
+    stats.domain_tests = growth_.domain_tests + test_.counts().domain_tests;
+    stats.size_evaluations = growth_.size_evaluations;
+    if (!emission_) return stats;
+    stats.leaves = emission_->leaf_count();
+    stats.tested_tets = emission_->tested_tets();
+    stats.templates = emission_->template_count();
+    stats.needed_tets = emission_->tet_count();
+    return stats;
+  }
+
+  TetMesh& mesh() { return mesh_; }
+
+ private:
+  void set_child_flags(const Cell& cell) {
+    for (int number = 0; number < 8; ++number) {
+      const Cell child = forest_.child(cell, number);
+      const std::uint8_t flags = test_.flags(child, forest_[child.node].flags);
+      forest_[child.node].flags = std::uint8_t(flags | (options_.all_centers ? kHasCenter : 0));
+    }
+  }
+
+  bool meets_domain(const Tet& world_tet) const {
+    Tet t;
+    for (std::size_t i = 0; i < 4; ++i) t[i] = world_.to_caller(world_tet[i]);
+    return domain_.meets(t);
+  }
+
+  void check_caps() {
+    if (options_.max_tets != 0 && emission_->tet_count() > options_.max_tets)
+      throw Stopped{OctreeStatus::kTetCap};
+  }
+
+  void write() {
+    mesh_.frame = world_.frame();
+    const std::size_t vertices = emission_->vertex_count(), tets = emission_->tet_count();
+    require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
+    resize_large(mesh_.points, vertices);
+    mesh_.levels.resize(vertices);
+    emission_->write_points([this](VertexId v, const Vec3& p) {
+      mesh_.points[v] = world_.to_caller(p);
+      mesh_.levels[v] = std::uint8_t(lattice::canonical_level(p));
+    });
+    resize_large(mesh_.tets, tets);
+    emission_->write_tets(mesh_.tets.data());
+  }
+
+  void require_bytes(std::uint64_t bytes) {
+    stats_.peak_bytes = std::max(stats_.peak_bytes, bytes);
+    if (options_.max_bytes != 0 && bytes > options_.max_bytes) throw Stopped{OctreeStatus::kMemoryCap};
+  }
+
+  void poll(std::uint64_t bytes) {
+    require_bytes(bytes);
+    if (control_.cancelled && control_.cancelled()) throw Stopped{OctreeStatus::kCancelled};
+    const auto now = std::chrono::steady_clock::now();
+    if (!control_.on_progress || now - last_report_ < kReportInterval) return;
+    last_report_ = now;
+    Progress progress;
+    progress.phase = phase_;
+    progress.done = bytes / sizeof(Node);
+    control_.on_progress(progress);
+  }
+
+  void enter(const char* name) {
+    finish_phase();
+    phase_ = name;
+    phase_start_ = std::chrono::steady_clock::now();
+  }
+
+  const Domain& domain_;
+  const OctreeOptions& options_;
+  const Control& control_;
+  lattice::World world_;
+  LeafTest test_;
+  Forest forest_;
+  LeafTestCounts growth_;
+  std::optional<Emission> emission_;
+  TetMesh mesh_;
+  OctreeStats stats_;
+  const char* phase_ = nullptr;
+  std::chrono::steady_clock::time_point phase_start_, last_report_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options,
+                                const Control& control) {
+  if (options.threads == 0) throw Error(ErrorCode::kBadOption, "the octree mesher needs at least one thread");
+  OctreeResult result;
+  Run run(domain, sizing, options, control);
+  try {
+    run.run();
+    result.mesh = std::move(run.mesh());
+  } catch (const Stopped& stopped) {
+    result.status = stopped.status;
+  }
+  run.finish_phase();
+  result.stats = run.stats();
+  return result;
+}
+
+}  // namespace unsliver::octree
