@@ -38,6 +38,10 @@ class Domain {
     return c >= radius ? 1 : c <= -radius ? -1 : 0;
   }
 
+  /// True only if all of t certainly lies outside, as far as a few operations can tell. Unlike the balls
+  /// above, a tetrahedron is told from a smooth domain nearby at once.
+  virtual bool plainly_outside(const Tet&) const { return false; }
+
   /// False only if the interior of t is certainly disjoint from the domain.
   virtual bool meets(const Tet& t) const = 0;
 

@@ -43,6 +43,12 @@ class BasicTriangulation {
     const auto& v = store_[t].v;
     return {position(v[0]), position(v[1]), position(v[2]), position(v[3])};
   }
+  /// For loops over all slots: asks for the corners of a tetrahedron some steps ahead.
+  void prefetch_ahead(TetId t) const {
+    constexpr TetId kSteps = 8;
+    if (t + kSteps < slot_count())
+      for (const VertexId v : store_[t + kSteps].v) __builtin_prefetch(vertices_.begin() + v);
+  }
   const PredicateCounts& counts() const { return counts_; }
   void reserve(std::size_t vertices, std::size_t tets);
 

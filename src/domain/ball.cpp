@@ -52,6 +52,16 @@ class BallDomain final : public Domain {
     if (std::abs(excess) <= rounding) return 0;
     return excess > 0 ? excess - rounding : excess + rounding;
   }
+  /// Is t beyond the plane that touches the ball on its way to the mean of t's corners?
+  bool plainly_outside(const Tet& t) const override {
+    const Vec3 normal = t[0] + t[1] + t[2] + t[3] - 4 * center_;
+    double nearest = std::numeric_limits<double>::infinity(), farthest_sq = 0;
+    for (const Vec3& p : t) {
+      nearest = std::min(nearest, dot(normal, p - center_));
+      farthest_sq = std::max(farthest_sq, dist_sq(p, center_));
+    }
+    return nearest > norm(normal) * (radius_ + 8 * kEpsilon * std::sqrt(farthest_sq));
+  }
   bool meets(const Tet& t) const override {
     const double certain_sq = radius_ * radius_ * (1 - 8 * kEpsilon);
     for (const Vec3& p : t)

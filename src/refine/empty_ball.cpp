@@ -54,19 +54,6 @@ EmptyBallSearch::LatticePoint EmptyBallSearch::point_for(const EmptyBall& ball) 
   return {literal ? first_in_ball(level, ball.center) : lattice::nearest(level, ball.center), level};
 }
 
-double EmptyBallSearch::nearest_sq(const Cell& cell, const Vec3& p) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    sum += square(std::max(0.0, std::abs(p[axis] - cell.center[axis]) - cell.half[axis]));
-  return sum;
-}
-
-double EmptyBallSearch::farthest_sq(const Cell& cell, const Vec3& p) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) sum += square(std::abs(p[axis] - cell.center[axis]) + cell.half[axis]);
-  return sum;
-}
-
 std::optional<EmptyBall> EmptyBallSearch::find_quickly(TetId t, double floor) {
   floor_ = floor;
   open_question_ = !circumsphere_covers(t);
@@ -83,9 +70,9 @@ std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
 /// exactly R^2 - d^2. And s(p) >= s(c) - L d, so that R sqrt(1 + L^2) <= s(c) covers all of t.
 bool EmptyBallSearch::circumsphere_covers(TetId t) {
   sphere_ = geom::circumsphere(r_.mesh().corners(t));
-  const double radius = std::sqrt(sphere_.radius_sq) * (1 + kRounding), lipschitz = r_.lipschitz();
   double least = std::max(floor_, r_.smallest_size());
-  if (radius <= least) return true;
+  if (sphere_.radius_sq * (1 + 3 * kRounding) <= square(least)) return true;
+  const double radius = std::sqrt(sphere_.radius_sq) * (1 + kRounding), lipschitz = r_.lipschitz();
   center_size_ = r_.size_if_defined(sphere_.center);
   if (center_size_) {
     const double size = std::max(floor_, *center_size_);
@@ -108,70 +95,74 @@ std::optional<EmptyBall> EmptyBallSearch::try_circumcenter() const {
   return EmptyBall{rounded(sphere_.center), size};
 }
 
+EmptyBallSearch::Hull EmptyBallSearch::hull_of(const Tet& corners) {
+  const Vec3 center = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  double radius_sq = 0;
+  for (const Vec3& corner : corners) radius_sq = std::max(radius_sq, dist_sq(corner, center));
+  return {center, std::sqrt(radius_sq)};
+}
+
 std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
-  aim_at(t);
+  corners_ = r_.mesh().corners(t);
+  for (int i = 0; i < 4; ++i) clearances_[i] = r_.clearance(r_.mesh().tet(t).v[i]);
+  vertices_.assign(corners_.begin(), corners_.end());
+  open_.assign(1, {corners_, false});
+  const double least_everywhere = std::max(floor_, r_.smallest_size());
   for (int cells = 1; !open_.empty(); ++cells) {
     if (cells % kPollInterval == 0) r_.poll();
     Cell cell = open_.back();
     open_.pop_back();
-    if (misses_tet(cell)) continue;
-    const auto center_size = r_.size_if_defined(cell.center);
-    const double radius = norm(cell.half);
-    double least = size_lower_bound(cell, center_size);
-    if (covered(cell, least)) continue;
-    if (center_size && r_.lipschitz() * radius > kSteep * *center_size) {
-      least = std::max(least, r_.size_lower_bound({cell.center - cell.half, cell.center + cell.half}));
-      if (covered(cell, least)) continue;
+    if (one_vertex_reaches(cell.corners, least_everywhere)) continue;
+    const Hull hull = hull_of(cell.corners);
+    if (beyond_domain_box(cell.corners, hull)) continue;
+    const auto center_size = r_.size_if_defined(hull.center);
+    double least = size_lower_bound(cell.corners, hull, center_size);
+    if (covered(cell.corners, hull, least)) continue;
+    if (center_size && r_.lipschitz() * hull.radius > kSteep * *center_size) {
+      least = std::max(least, r_.size_lower_bound(bounding_box(cell.corners)));
+      if (covered(cell.corners, hull, least)) continue;
     }
-    const int side = cell.inside ? -1 : r_.side_of_ball(cell.center, radius);
+    const int side = side_of(cell, hull);
     if (side > 0) continue;
     cell.inside = side < 0;
     // Where s may jump, a tiny cell counts with the least s in it.
-    const bool jump = radius <= kWitnessSlack * least && !std::isfinite(r_.lipschitz());
-    if (!center_size && (cell.inside || r_.contains(cell.center)))
-      r_.size_at(cell.center);  // says what is wrong
+    const bool jump = hull.radius <= kWitnessSlack * least && !std::isfinite(r_.lipschitz());
+    if (!center_size && (cell.inside || r_.contains(hull.center)))
+      r_.size_at(hull.center);  // says what is wrong
     if (center_size)
-      if (auto ball = probe(cell, jump ? least : std::max(floor_, *center_size), t)) return ball;
+      if (auto ball = probe(cell, hull, jump ? least : std::max(floor_, *center_size), t)) return ball;
     split(cell);
   }
   return std::nullopt;
 }
 
-/// Starts with t's corners, its facets, and the part of its bounding box that can be in the domain and
-/// uncovered.
-void EmptyBallSearch::aim_at(TetId t) {
-  const Tet corners = r_.mesh().corners(t);
-  vertices_.assign(corners.begin(), corners.end());
-  for (int i = 0; i < 4; ++i) {
-    const int* f = delaunay::kFacetCorners[i];
-    const Vec3 normal = cross(corners[f[1]] - corners[f[0]], corners[f[2]] - corners[f[0]]);
-    inward_[i] = 1 / norm(normal) * normal;
-    offset_[i] = dot(inward_[i], corners[f[0]]);
-  }
-  Box3 box = bounding_box(corners);
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = std::max({box.lo[axis], r_.domain_box().lo[axis], sphere_.center[axis] - reach_});
-    box.hi[axis] = std::min({box.hi[axis], r_.domain_box().hi[axis], sphere_.center[axis] + reach_});
-  }
-  open_.clear();
-  if (!box.empty()) open_.push_back({box.center(), 0.5 * box.size(), false});
+/// +1 if the cell lies certainly outside the domain, -1 if certainly inside, 0 if it may do neither. The
+/// balls about t's corners are known, and save most questions.
+int EmptyBallSearch::side_of(const Cell& cell, const Hull& hull) const {
+  if (cell.inside) return -1;
+  const double radius = hull.radius * (1 + kRounding);
+  for (int i = 0; i < 4; ++i)
+    if (dist(corners_[i], hull.center) * (1 + kRounding) + radius <= std::abs(clearances_[i]))
+      return clearances_[i] > 0 ? 1 : -1;
+  if (r_.plainly_outside(cell.corners)) return 1;
+  return r_.side_of_ball(hull.center, radius);
 }
 
-bool EmptyBallSearch::misses_tet(const Cell& cell) const {
-  for (int i = 0; i < 4; ++i) {
-    const Vec3& n = inward_[i];
-    const double reach =
-        std::abs(n.x) * cell.half.x + std::abs(n.y) * cell.half.y + std::abs(n.z) * cell.half.z;
-    if (dot(n, cell.center) + reach * (1 + kRounding) + 1 < offset_[i]) return true;
-  }
+bool EmptyBallSearch::beyond_domain_box(const Tet& cell, const Hull& hull) const {
+  const Box3& domain = r_.domain_box();
+  if (domain.contains(hull.center)) return false;
+  const Box3 box = bounding_box(cell);
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.lo[axis] > domain.hi[axis] || box.hi[axis] < domain.lo[axis]) return true;
   return false;
 }
 
-double EmptyBallSearch::size_lower_bound(const Cell& cell, std::optional<double> center_size) const {
+double EmptyBallSearch::size_lower_bound(const Tet& cell, const Hull& hull,
+                                         std::optional<double> center_size) const {
   const double least = std::max(floor_, r_.smallest_size());
   if (center_size && std::isfinite(r_.lipschitz()))
-    return std::max(least, *center_size - r_.lipschitz() * norm(cell.half));
-  return std::max(least, r_.size_lower_bound({cell.center - cell.half, cell.center + cell.half}));
+    return std::max(least, *center_size - r_.lipschitz() * hull.radius);
+  return std::max(least, r_.size_lower_bound(bounding_box(cell)));
 }
 
 double EmptyBallSearch::nearest_listed_sq(const Vec3& q) const {
@@ -180,25 +171,33 @@ double EmptyBallSearch::nearest_listed_sq(const Vec3& q) const {
   return nearest_sq;
 }
 
-/// A cell is covered if one vertex reaches all of it, or if it keeps away from c (see circumsphere_covers).
-bool EmptyBallSearch::covered(const Cell& cell, double size) const {
+/// Does some vertex reach all of the cell? Balls are convex, so the corners tell.
+bool EmptyBallSearch::one_vertex_reaches(const Tet& cell, double size) const {
   const double size_sq = square(size) * (1 - kRounding);
-  if (sphere_.radius_sq * (1 + kRounding) - nearest_sq(cell, sphere_.center) <= size_sq) return true;
-  return std::any_of(vertices_.begin(), vertices_.end(),
-                     [&](const Vec3& v) { return farthest_sq(cell, v) <= size_sq; });
+  for (const Vec3& v : vertices_)
+    if (dist_sq(cell[0], v) <= size_sq && dist_sq(cell[1], v) <= size_sq && dist_sq(cell[2], v) <= size_sq &&
+        dist_sq(cell[3], v) <= size_sq)
+      return true;
+  return false;
 }
 
-/// Tries the cell's centre where it is in t and in the domain; a tiny cell counts as if it were. `size` is s
-/// at the centre.
-std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, double size, TetId t) {
-  const EmptyBall ball{rounded(cell.center), size};
-  const double radius = norm(cell.half), listed_sq = nearest_listed_sq(ball.center);
+/// A cell that keeps away from c is covered too: see circumsphere_covers.
+bool EmptyBallSearch::covered(const Tet& cell, const Hull& hull, double size) const {
+  const double from_center = std::max(0.0, dist(hull.center, sphere_.center) - hull.radius);
+  if (sphere_.radius_sq * (1 + kRounding) - square(from_center) <= square(size) * (1 - kRounding))
+    return true;
+  return one_vertex_reaches(cell, size);
+}
+
+/// Tries the cell's centre where it is in the domain; a tiny cell counts as if it were. `size` is s at the
+/// centre.
+std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hull, double size, TetId t) {
+  const EmptyBall ball{rounded(hull.center), size};
+  const double radius = hull.radius, listed_sq = nearest_listed_sq(ball.center);
   const double hurry = r_.strategy() == Strategy::kLiteral ? kLiteralHurry : kThriftyHurry;
   const double share = radius <= hurry * size ? 1 - hurry : 1 - kSizeSlack;
   if (listed_sq <= square(share * size)) return std::nullopt;
-  if (radius > kWitnessSlack * size &&
-      (misses_tet({ball.center, {}, false}) || (!cell.inside && !r_.contains(ball.center))))
-    return std::nullopt;
+  if (radius > kWitnessSlack * size && !cell.inside && !r_.contains(ball.center)) return std::nullopt;
   if (listed_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
   vertices_.push_back(r_.mesh().point(r_.nearest_vertex(ball.center, t)));
   if (dist_sq(vertices_.back(), ball.center) <= square((1 - kSizeSlack) * size)) return std::nullopt;
@@ -216,22 +215,20 @@ std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBa
   return std::nullopt;
 }
 
-/// Halves every long side. Below the resolution of the world nothing is left to find.
+/// Halves the longest edge. Below the resolution of the world nothing is left to find.
 void EmptyBallSearch::split(const Cell& cell) {
-  const double longest = std::max({cell.half.x, cell.half.y, cell.half.z});
-  if (longest <= 1) return;
-  const std::size_t first = open_.size();
+  int from = 0, to = 1;
+  double longest_sq = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (const double length_sq = dist_sq(cell.corners[i], cell.corners[j]); length_sq > longest_sq)
+        longest_sq = length_sq, from = i, to = j;
+  if (longest_sq <= square(2)) return;
+  const Vec3 middle = 0.5 * (cell.corners[from] + cell.corners[to]);
   open_.push_back(cell);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (cell.half[axis] <= 0.6 * longest) continue;
-    for (std::size_t i = first, end = open_.size(); i < end; ++i) {
-      open_[i].half[axis] *= 0.5;
-      Cell other = open_[i];
-      open_[i].center[axis] -= other.half[axis];
-      other.center[axis] += other.half[axis];
-      open_.push_back(other);
-    }
-  }
+  open_.back().corners[from] = middle;
+  open_.push_back(cell);
+  open_.back().corners[to] = middle;
 }
 
 }  // namespace unsliver::refine

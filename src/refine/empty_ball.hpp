@@ -4,7 +4,8 @@
 ///
 /// Looking at circumcentres alone would be wrong (they can lie outside the domain), so each tetrahedron is
 /// searched by branch and bound. Notation, for one tetrahedron t: c the circumcentre, R the circumradius, L
-/// the Lipschitz constant of s; a cell is a box that may hold such a p in t.
+/// the Lipschitz constant of s; a cell is a tetrahedron, part of t, that may hold such a p. Balls are convex:
+/// a ball that holds a cell's corners holds the cell.
 #pragma once
 
 #include <optional>
@@ -28,8 +29,10 @@ class EmptyBallSearch {
   /// if every p of t in the domain has a vertex within max(s(p), floor).
   std::optional<EmptyBall> find(TetId t, double floor);
 
-  /// Only t's circumball is looked at: what it finds is an empty ball, what it does not find proves nothing.
+  /// Only t's circumball is looked at. What it finds is an empty ball; where it finds nothing, the question
+  /// for t may stay open.
   std::optional<EmptyBall> find_quickly(TetId t, double floor);
+  bool open_question() const { return open_question_; }
 
   /// The lattice point that a size insertion takes: within r(level) of p. Literal: the first point found of
   /// SC_j, j the largest with r(SC_j) <= s(p). Thrifty: the nearest point of the coarsest level, SC or BCC,
@@ -42,22 +45,25 @@ class EmptyBallSearch {
 
  private:
   struct Cell {
-    Vec3 center, half;
+    Tet corners;
     bool inside;  ///< known to lie in the domain
   };
-
-  /// Squared distances from p to the nearest and the farthest point of a cell.
-  static double nearest_sq(const Cell& cell, const Vec3& p);
-  static double farthest_sq(const Cell& cell, const Vec3& p);
+  /// The ball about the mean of a cell's corners that holds the cell.
+  struct Hull {
+    Vec3 center;
+    double radius;
+  };
+  static Hull hull_of(const Tet& corners);
 
   bool circumsphere_covers(TetId t);
   std::optional<EmptyBall> try_circumcenter() const;
   std::optional<EmptyBall> branch_and_bound(TetId t);
-  void aim_at(TetId t);
-  bool misses_tet(const Cell& cell) const;
-  bool covered(const Cell& cell, double size) const;
-  double size_lower_bound(const Cell& cell, std::optional<double> center_size) const;
-  std::optional<EmptyBall> probe(const Cell& cell, double size, TetId t);
+  bool one_vertex_reaches(const Tet& cell, double size) const;
+  bool covered(const Tet& cell, const Hull& hull, double size) const;
+  int side_of(const Cell& cell, const Hull& hull) const;
+  bool beyond_domain_box(const Tet& cell, const Hull& hull) const;
+  double size_lower_bound(const Tet& cell, const Hull& hull, std::optional<double> center_size) const;
+  std::optional<EmptyBall> probe(const Cell& cell, const Hull& hull, double size, TetId t);
   std::optional<EmptyBall> insert_rather_than_prove(const EmptyBall& ball, TetId t);
   void split(const Cell& cell);
   double nearest_listed_sq(const Vec3& q) const;
@@ -69,8 +75,8 @@ class EmptyBallSearch {
   std::optional<double> center_size_;  ///< s(c)
   double reach_ = 0;                   ///< farther than this from c all of t is covered
   int center_side_ = 0;                ///< of the ball of radius reach_ about c, see Domain::side_of_ball
-  Vec3 inward_[4];                     ///< unit normals of t's facets
-  double offset_[4];                   ///< p is in t where inward . p >= offset for all four
+  std::array<Vec3, 4> corners_;        ///< t's
+  std::array<double, 4> clearances_;   ///< theirs, see Domain::clearance
   std::vector<Cell> open_;
   std::vector<Vec3> vertices_;  ///< t's corners and other vertices found nearby
 };

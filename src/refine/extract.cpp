@@ -6,8 +6,10 @@ namespace {
 
 PodVector<TetId> kept_tets(Refinement& r) {
   PodVector<TetId> kept;
-  for (TetId t = 0; t < r.mesh().slot_count(); ++t)
+  for (TetId t = 0; t < r.mesh().slot_count(); ++t) {
+    r.mesh().prefetch_ahead(t);
     if (r.mesh().is_finite(t) && r.meets_domain(t)) kept.push_back(t);
+  }
   return kept;
 }
 

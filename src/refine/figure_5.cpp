@@ -96,7 +96,8 @@ void figure_5_thrifty(Refinement& r) {
   r.enter_phase("quality");
   std::vector<TetId> pending;
   const std::size_t slots = r.mesh().slot_count();
-  for (TetId first = 0; first < slots; ++first)
+  for (TetId first = 0; first < slots; ++first) {
+    r.mesh().prefetch_ahead(first);
     for (pending.assign(1, first); !pending.empty();) {
       const TetId t = pending.back();
       pending.pop_back();
@@ -104,6 +105,7 @@ void figure_5_thrifty(Refinement& r) {
       enforce_quality_thriftily(r, t);
       pending.insert(pending.end(), r.created().begin(), r.created().end());
     }
+  }
 }
 
 }  // namespace unsliver::refine

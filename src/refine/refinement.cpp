@@ -83,21 +83,25 @@ VertexId Refinement::finest_corner(TetId t) const {
   return finest;
 }
 
-bool Refinement::meets_domain(const Tet& world_tet) const {
-  Tet t;
-  for (int i = 0; i < 4; ++i) t[i] = world_.to_caller(world_tet[i]);
-  return domain_.meets(t);
+Tet Refinement::to_caller(const Tet& t) const {
+  return {world_.to_caller(t[0]), world_.to_caller(t[1]), world_.to_caller(t[2]), world_.to_caller(t[3])};
+}
+
+bool Refinement::meets_domain(const Tet& world_tet) const { return domain_.meets(to_caller(world_tet)); }
+
+double Refinement::clearance(VertexId v) {
+  float& known = clearances_[v];
+  if (std::isnan(known))
+    known = rounded_towards_zero(domain_.clearance(world_.to_caller(mesh_.point(v))) / world_.unit() *
+                                 (1 - 1e-12));
+  return known;
 }
 
 /// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside.
 bool Refinement::meets_domain(TetId t) {
   const Tet corners = mesh_.corners(t);
   for (int i = 0; i < 4; ++i) {
-    float& clearance = clearances_[mesh_.tet(t).v[i]];
-    if (std::isnan(clearance))
-      clearance =
-          rounded_towards_zero(domain_.clearance(world_.to_caller(corners[i])) / world_.unit() * (1 - 1e-12));
-    const double radius_sq = double(clearance) * clearance;
+    const double clearance = this->clearance(mesh_.tet(t).v[i]), radius_sq = clearance * clearance;
     double farthest_sq = 0;
     for (int j = 0; j < 4; ++j) farthest_sq = std::max(farthest_sq, dist_sq(corners[i], corners[j]));
     if (farthest_sq < radius_sq) return clearance < 0;
@@ -121,8 +125,7 @@ double Refinement::size_lower_bound(const Box3& box) const {
   return std::min(size_cap_, sizing_.lower_bound(in_caller) / world_.unit());
 }
 
-std::optional<double> Refinement::size_if_defined(const Vec3& p) const {
-  if (constant_size_ > 0) return constant_size_;
+std::optional<double> Refinement::varying_size_if_defined(const Vec3& p) const {
   Vec3 x = world_.to_caller(p);
   for (int axis = 0; axis < 3; ++axis) {  // a point of the domain's box may leave it by rounding
     const double inside = std::clamp(x[axis], caller_bounds_.lo[axis], caller_bounds_.hi[axis]);

@@ -53,14 +53,14 @@ class Refinement {
   bool meets_domain(TetId t);
   bool meets_domain(const Tet& world_tet) const;
   bool contains(const Vec3& p) const { return domain_.contains(world_.to_caller(p)); }
-  /// See Domain::clearance.
-  double clearance(const Vec3& p) const {
-    return domain_.clearance(world_.to_caller(p)) / world_.unit() * (1 - 1e-12);
-  }
+  /// See Domain::clearance; asked once a vertex.
+  double clearance(VertexId v);
   /// See Domain::side_of_ball.
   int side_of_ball(const Vec3& p, double radius) const {
     return domain_.side_of_ball(world_.to_caller(p), radius * (1 + 1e-12) * world_.unit());
   }
+  /// See Domain::plainly_outside.
+  bool plainly_outside(const Tet& world_tet) const { return domain_.plainly_outside(to_caller(world_tet)); }
   /// Dihedral angle or radius-edge ratio out of bounds, decided exactly.
   bool is_bad(TetId t) { return exact::is_bad(mesh_.corners(t), bounds_, quality_counts_); }
 
@@ -69,7 +69,9 @@ class Refinement {
   /// A lower bound of s over the part of the box inside the domain's bounds; infinity if there is none.
   double size_lower_bound(const Box3& box) const;
   /// s at p, or nothing where s need not be defined (outside the domain's bounds) or fails.
-  std::optional<double> size_if_defined(const Vec3& p) const;
+  std::optional<double> size_if_defined(const Vec3& p) const {
+    return constant_size_ > 0 ? constant_size_ : varying_size_if_defined(p);
+  }
   /// |s(p) - s(q)| <= lipschitz() |p - q| inside the domain's bounds; may be infinite.
   double lipschitz() const { return lipschitz_; }
   double largest_size() const { return size_cap_; }
@@ -92,6 +94,8 @@ class Refinement {
   void finish_phases();
 
  private:
+  Tet to_caller(const Tet& t) const;
+  std::optional<double> varying_size_if_defined(const Vec3& p) const;
   void start_from_cube();
   void add_vertex_arrays(Level label, double lfs_bound);
   void report_progress();

@@ -15,37 +15,65 @@ void insert_for_size(Refinement& r, const EmptyBallSearch& search, const EmptyBa
 
 namespace {
 
-template <class FindEmptyBall>
-void sweep(Refinement& r, const EmptyBallSearch& search, FindEmptyBall find) {
-  std::vector<TetId> pending;
-  const std::size_t slots = r.mesh().slot_count();
-  for (TetId first = 0; first < slots; ++first)
-    for (pending.assign(1, first); !pending.empty();) {
-      const TetId t = pending.back();
-      pending.pop_back();
-      if (!r.mesh().is_finite(t)) continue;
-      const auto ball = find(t);
-      if (!ball) continue;
-      pending.push_back(t);  // it may survive: w can lie outside its circumsphere
-      insert_for_size(r, search, *ball, t);
-      pending.insert(pending.end(), r.created().begin(), r.created().end());
-    }
-}
+/// The rounds of thrifty size enforcement. What is known of a tetrahedron is kept by slot, until an insertion
+/// fills the slot anew: a ball that holds a vertex keeps it.
+class Sweeps {
+ public:
+  explicit Sweeps(Refinement& r) : r_(r), search_(r) {}
 
-/// The long searches come second, when only the tetrahedra that will stay are left to search.
-void sweep_twice(Refinement& r, EmptyBallSearch& search, double floor) {
-  sweep(r, search, [&](TetId t) { return search.find_quickly(t, floor); });
-  sweep(r, search, [&](TetId t) { return search.find(t, floor); });
-}
+  /// One round, for the sizing function max(s, floor). The long searches come second, when only the
+  /// tetrahedra that will stay are left to search.
+  void round(double floor) {
+    known_.clear();
+    sweep(Known::kNothing, [&](TetId t) { return search_.find_quickly(t, floor); });
+    sweep(Known::kOpen, [&](TetId t) { return search_.find(t, floor); });
+  }
+
+ private:
+  enum class Known : std::uint8_t { kNothing, kOpen, kCovered };
+
+  /// Visits every tetrahedron of which no more than `least` is known, those made on the way included.
+  template <class FindEmptyBall>
+  void sweep(Known least, FindEmptyBall find) {
+    std::vector<TetId> pending;
+    known_.resize(r_.mesh().slot_count(), Known::kNothing);
+    const std::size_t slots = r_.mesh().slot_count();
+    for (TetId first = 0; first < slots; ++first) {
+      r_.mesh().prefetch_ahead(first);
+      for (pending.assign(1, first); !pending.empty();) {
+        const TetId t = pending.back();
+        pending.pop_back();
+        if (known_[t] > least || !r_.mesh().is_finite(t)) continue;
+        if (const auto ball = find(t)) {
+          insert_for_size(r_, search_, *ball, t);
+          forget(r_.created());
+          pending.push_back(t);  // it may survive: w can lie outside its circumsphere
+          pending.insert(pending.end(), r_.created().begin(), r_.created().end());
+        } else {
+          known_[t] = least == Known::kNothing && search_.open_question() ? Known::kOpen : Known::kCovered;
+        }
+      }
+    }
+  }
+
+  void forget(std::span<const TetId> made) {
+    known_.resize(r_.mesh().slot_count(), Known::kNothing);
+    for (const TetId t : made) known_[t] = Known::kNothing;
+  }
+
+  Refinement& r_;
+  EmptyBallSearch search_;
+  PodVector<Known> known_;
+};
 
 }  // namespace
 
 void enforce_size(Refinement& r) {
-  EmptyBallSearch search(r);
+  Sweeps sweeps(r);
   double floor = r.smallest_size();
   while (floor < r.largest_size()) floor *= 2;
-  for (; floor > r.smallest_size(); floor /= 2) sweep_twice(r, search, floor);
-  sweep_twice(r, search, 0);
+  for (; floor > r.smallest_size(); floor /= 2) sweeps.round(floor);
+  sweeps.round(0);
 }
 
 }  // namespace unsliver::refine

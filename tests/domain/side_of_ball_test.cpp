@@ -52,5 +52,37 @@ TEST(SideOfBall, IsSoundForEveryKindOfDomain) {
   expect_sound(*make_surface(tetrahedron), 4);
 }
 
+/// A claim is never wrong, and for small tetrahedra at most a hundredth of the ball's radius away it is made.
+TEST(PlainlyOutside, IsSoundAndSharpForABall) {
+  const Vec3 center{0.1, 0.2, 0.3};
+  const double radius = 0.7;
+  const DomainPtr ball = make_ball(center, radius);
+  std::mt19937_64 random(5);
+  int claims = 0, near_claims = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    const Vec3 p = point_in({center - Vec3{1, 1, 1}, center + Vec3{1, 1, 1}}, random);
+    const double size = 0.5 * unit(random) * unit(random);
+    Tet t;
+    for (Vec3& corner : t)
+      corner = point_in({p - Vec3{size, size, size}, p + Vec3{size, size, size}}, random);
+    const double gap = dist(p, center) - radius;
+    if (gap > 0.01 && size < 0.5 * gap * gap) {
+      EXPECT_TRUE(ball->plainly_outside(t)) << "trial " << trial;
+      ++near_claims;
+    }
+    if (!ball->plainly_outside(t)) continue;
+    ++claims;
+    EXPECT_FALSE(ball->meets(t)) << "trial " << trial;
+  }
+  EXPECT_GT(claims, 500);
+  EXPECT_GT(near_claims, 50);
+}
+
+TEST(PlainlyOutside, ATetrahedronThatTouchesTheBallIsNot) {
+  const Tet touching = {Vec3{1, -1, -1}, {1, 1, -1}, {1, 0, 2}, {2, 0, 0}};  // its first facet, at (1, 0, 0)
+  EXPECT_FALSE(make_ball({0, 0, 0}, 1)->plainly_outside(touching));
+  EXPECT_TRUE(make_ball({0, 0, 0}, 0.999)->plainly_outside(touching));
+}
+
 }  // namespace
 }  // namespace unsliver
