@@ -148,12 +148,17 @@ int EmptyBallSearch::side_of(const Cell& cell, const Hull& hull) const {
   return r_.side_of_ball(hull.center, radius);
 }
 
+/// A cell that only touches the box from outside counts as beyond it: what it shares with the domain is part
+/// of other cells too, unless the domain is flat.
 bool EmptyBallSearch::beyond_domain_box(const Tet& cell, const Hull& hull) const {
   const Box3& domain = r_.domain_box();
   if (domain.contains(hull.center)) return false;
   const Box3 box = bounding_box(cell);
-  for (int axis = 0; axis < 3; ++axis)
-    if (box.lo[axis] > domain.hi[axis] || box.hi[axis] < domain.lo[axis]) return true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lo = domain.lo[axis], hi = domain.hi[axis];
+    if (lo < hi ? box.lo[axis] >= hi || box.hi[axis] <= lo : box.lo[axis] > hi || box.hi[axis] < lo)
+      return true;
+  }
   return false;
 }
 
