@@ -101,7 +101,8 @@ struct Candidate {
   Frame frame;
   int unit_exponent = 0;  ///< unit = m * 2^unit_exponent
   int finest_bcc = 0;     ///< k of the finest usable BCC_k
-  double steps = 0;       ///< steps of the finest usable lattice across the box
+  double step = 0;        ///< of the finest usable lattice, in the caller's units
+  double steps = 0;       ///< so many across the box
 };
 
 Candidate frame_box(const Box3& box, double m) {
@@ -113,7 +114,8 @@ Candidate frame_box(const Box3& box, double m) {
   c.frame.origin = step * steps_to_center;
   const int z = exact_exponent(m, kOriginStep * steps_to_center);
   c.finest_bcc = z + 1;
-  c.steps = box.longest_side() / std::ldexp(c.frame.unit, z);
+  c.step = std::ldexp(c.frame.unit, z);
+  c.steps = box.longest_side() / c.step;
   return c;
 }
 
@@ -162,9 +164,19 @@ void require_steps(const Box3& box, double steps) {
                   fit_radius, box.longest_side(), farthest_coordinate(box), finest_radius));
 }
 
+[[noreturn]] void refuse_step(const Box3& box, double max_step, double step) {
+  refuse(
+      ErrorCode::kLimit, box,
+      fmt::format("Some points to be meshed are so close together that a lattice of step {:.6g} is needed, "
+                  "but in a domain {:.6g} wide whose coordinates reach {:.6g}, the finest lattice of exact "
+                  "doubles has step {:.6g}. Merge points that are close, or move a domain that is far from "
+                  "the origin closer to it.",
+                  max_step, box.longest_side(), farthest_coordinate(box), step));
+}
+
 }  // namespace
 
-World World::fit(const Box3& box, double fit_radius) {
+World World::fit(const Box3& box, double fit_radius, double max_step) {
   require_in_range(box);
   require_steps(box, 0x1p53 * (box.longest_side() / farthest_coordinate(box)));
   const bool fitting = fit_radius > 0 && fit_radius <= 4 * box.longest_side();
@@ -173,9 +185,10 @@ World World::fit(const Box3& box, double fit_radius) {
   for (int bits = kMantissaBits; bits > 0; --bits) {
     c = frame_box(box, leading_bits(wanted.m, bits));
     const int fitted_bcc = fitting ? wanted.e - c.unit_exponent : c.finest_bcc;
-    if (c.steps >= kMinSteps && fitted_bcc >= c.finest_bcc) return World(c.frame);
+    if (c.steps >= kMinSteps && fitted_bcc >= c.finest_bcc && c.step <= max_step) return World(c.frame);
   }
   require_steps(box, c.steps);
+  if (c.step > max_step) refuse_step(box, max_step, c.step);
   refuse_size(box, fit_radius, covering_radius(2 * c.finest_bcc) * c.frame.unit);
 }
 

@@ -25,11 +25,13 @@ class World {
   ///   Else, for some usable BCC level, fit_radius * 64/65 < covering_radius(level) * unit <= fit_radius.
   ///   Where a large offset needs digits, m gives up low bits one at a time: the left bound is then as low
   ///   as fit_radius / 2.
+  /// - The spacing of finest_level() is at most max_step, in the caller's units; m gives up bits for it too.
   /// \throws Error kBadInput when the box is empty, not finite or a single point; kLimit when its longest
   /// side is below kMinExtent or a coordinate beyond kMaxCoordinate, when the offset leaves fewer than
   /// kMinSteps steps of the finest usable lattice across the box, or when no usable level is as fine as
-  /// fit_radius.
-  static World fit(const Box3& box, double fit_radius);
+  /// fit_radius or max_step.
+  static World fit(const Box3& box, double fit_radius,
+                   double max_step = std::numeric_limits<double>::infinity());
 
   /// \throws Error kBadInput when the frame has not the form above, or exceeds the range of doubles.
   explicit World(const Frame& frame);

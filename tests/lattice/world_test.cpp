@@ -89,7 +89,7 @@ double near_tie(const World& world, int axis, Random& random) {
 }
 
 void expect_rounding(const World& world, const Box3& box, Random& random) {
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 6; ++i) {
     Vec3 x{random.real(box.lo.x, box.hi.x), random.real(box.lo.y, box.hi.y), random.real(box.lo.z, box.hi.z)};
     if (i % 2 == 0) x = {near_tie(world, 0, random), near_tie(world, 1, random), near_tie(world, 2, random)};
     const Vec3 q = world.to_world(x);
@@ -224,6 +224,20 @@ TEST(World, AFrameGivesTheSameWorld) {
   const World standard{Frame{}};
   EXPECT_EQ(standard.finest_level(), 1);
   EXPECT_EQ(standard.to_caller({-3, 2, 1}), (Vec3{-3, 2, 1}));
+}
+
+TEST(World, FitsTheStepThatCloseInputsNeed) {
+  const Box3 near = box_at({0, 0, 0}, {1, 1, 1}), far = box_at({1000, 0, 0}, {1, 1, 1});
+  const double fit = 127 * covering_radius(2) * 0x1p-20;  // asks for m = 127, whose finest level is 5
+  EXPECT_EQ(World::fit(near, fit).finest_level(), 5);
+  for (const double max_step : {1e-12, 0x1p-43, 0x1p-44}) {
+    const World world = World::fit(near, fit, max_step);
+    EXPECT_LE(power_of_two(world.finest_level() / 2) * world.unit(), max_step);
+    expect_fit(world, fit, 0.5);
+  }
+  EXPECT_THROW((void)World::fit(near, fit, 0x1p-46), Error);
+  EXPECT_NO_THROW((void)World::fit(far, fit, 1e-11));
+  EXPECT_THROW((void)World::fit(far, fit, 1e-14), Error);
 }
 
 TEST(World, RefusesBoxesThatCannotBeMeshed) {
