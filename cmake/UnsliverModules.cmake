@@ -59,5 +59,5 @@ function(unsliver_library)
   target_compile_features(unsliver PUBLIC cxx_std_20)
   target_include_directories(unsliver PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
-  target_link_libraries(unsliver PRIVATE ZLIB::ZLIB fmt::fmt Threads::Threads)
+  target_link_libraries(unsliver PRIVATE PkgConfig::libdeflate fmt::fmt Threads::Threads)
 endfunction()

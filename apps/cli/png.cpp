@@ -1,29 +1,28 @@
 #include "png.hpp"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <array>
 #include <cstdint>
-
-#include "unsliver/error.hpp"
+#include <memory>
+#include <new>
 
 namespace unsliver::cli {
 namespace {
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
 constexpr char kBitDepth = 8, kTrueColour = 2, kNoFilter = 0;
+constexpr int kLevel = 6;  // libdeflate's default
 
 void append_big_endian(std::string& out, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xff);
 }
 
-const Bytef* bytes(const std::string& text) { return reinterpret_cast<const Bytef*>(text.data()); }
-
 void append_chunk(std::string& out, const char* type, const std::string& data) {
   append_big_endian(out, static_cast<std::uint32_t>(data.size()));
   const std::string body = type + data;
   out += body;
-  append_big_endian(out, static_cast<std::uint32_t>(crc32(0, bytes(body), static_cast<uInt>(body.size()))));
+  append_big_endian(out, libdeflate_crc32(0, body.data(), body.size()));
 }
 
 std::string header(const Image& image) {
@@ -48,11 +47,11 @@ std::string scanlines(const Image& image) {
 }
 
 std::string deflated(const std::string& data) {
-  uLongf size = compressBound(data.size());
-  std::string out(size, '\0');
-  if (compress(reinterpret_cast<Bytef*>(out.data()), &size, bytes(data), data.size()) != Z_OK)
-    throw Error(ErrorCode::kInternal, "zlib could not compress an image");
-  out.resize(size);
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string out(libdeflate_zlib_compress_bound(compressor.get(), data.size()), '\0');
+  out.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.data(), out.size()));
   return out;
 }
 

@@ -8,7 +8,7 @@
 
 namespace unsliver::cli {
 
-/// The bytes of the file. \throws Error kInternal if zlib fails.
+/// The bytes of the file.
 std::string encode_png(const Image& image);
 
 }  // namespace unsliver::cli

@@ -1,9 +1,10 @@
 # Debian packages that the scripts need, and how they get them. Sourced, not run.
 
 # To build the program and the library.
-packages_build=(cmake ninja-build g++ libboost-dev libfmt-dev libcli11-dev nlohmann-json3-dev zlib1g-dev)
+packages_build=(cmake ninja-build g++ libboost-dev libfmt-dev libcli11-dev nlohmann-json3-dev libdeflate-dev
+                pkg-config)
 # To run the tests: a second compiler, the checkers, the test libraries, the oracle.
-packages_test=(clang clang-format clang-tidy libclang-rt-14-dev pkg-config python3
+packages_test=(clang clang-format clang-tidy libclang-rt-14-dev python3
                libgtest-dev libbenchmark-dev libcgal-dev)
 # The other mesh generators that the long tier measures against.
 packages_peers=(tetgen gmsh)

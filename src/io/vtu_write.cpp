@@ -142,7 +142,7 @@ class VtuWriter {
 
   // Requires indices below 2^31.
   void index_array(std::string_view name, std::span<const std::uint32_t> indices) {
-    append<std::int32_t>(name, "", compress_words(indices));
+    append<std::int32_t>(name, "", compress_blocks(bytes_of(indices)));
   }
 
   // Values of the tetrahedra, then of the triangles; `missing` for those that have none.

@@ -5,23 +5,18 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace unsliver::io {
 
-/// `bytes` in blocks of 1 MiB at zlib's fastest level, with a header of 64-bit integers in native byte order.
+/// `bytes` in blocks of 1 MiB, with a header of 64-bit integers in native byte order.
 std::string compress_blocks(std::string_view bytes);
-
-/// The same for numbers that seldom repeat in runs, such as indices: several times as fast, and a little
-/// larger.
-std::string compress_words(std::span<const std::uint32_t> words);
 
 /// One zlib stream, which must hold exactly `size` bytes. False when it does not.
 bool decompress_block(std::string_view stream, char* out, std::size_t size);
 
-/// The most that zlib can shrink: declared sizes beyond this are false.
+/// The most that zlib streams can shrink: declared sizes beyond this are false.
 inline constexpr std::uint64_t kMaxZlibRatio = 1032;
 
 }  // namespace unsliver::io
