@@ -1,9 +1,12 @@
 /// \file
-/// The generator: Labelle's Figure 5 on a domain with a sizing function.
+/// The generator: Labelle's Figures 5 and 8 on a domain with a sizing function and, for Figure 8, input
+/// vertices.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,14 +24,25 @@ enum class Strategy {
 
 struct MeshOptions {
   Strategy strategy = Strategy::kThrifty;
-  /// What counts as bad. Stricter than 30 / 135 / sqrt(5)/2 is refused: no theorem backs it.
+  /// What counts as bad. Stricter than 30 / 135 / least_radius_edge() is refused: no theorem backs it.
   double min_dihedral_deg = 30;
   double max_dihedral_deg = 135;
-  double max_radius_edge = 1.118033988749895;
+  double max_radius_edge = 0;  ///< 0 = the least that is backed
   std::uint64_t max_tets =
       0;  ///< 0 = no cap. Tetrahedra held, outside ones included; checked every 64 insertions
   std::uint64_t max_memory_bytes = 0;  ///< 0 = no cap. Bytes held while refining; checked every 64 insertions
 };
+
+/// The least radius-edge ratio that theorems back: sqrt(5)/2 (Figure 5), or 1.368 with input vertices (Figure
+/// 8).
+constexpr double least_radius_edge(bool with_input_vertices) {
+  return with_input_vertices ? 1.368 : 1.118033988749895;
+}
+
+/// The subcases of Figure 8. Those that only lead on to the next case are counted too; 1.1.3 never happens.
+enum class Subcase { k111, k112, k113, k121, k122, k123, k21, k22, k23, k3 };
+inline constexpr std::array<const char*, 10> kSubcaseNames = {"1.1.1", "1.1.2", "1.1.3", "1.2.1", "1.2.2",
+                                                              "1.2.3", "2.1",   "2.2",   "2.3",   "3"};
 
 enum class MeshStatus { kDone, kTetCap, kMemoryCap, kCancelled };
 const char* to_string(MeshStatus status);
@@ -42,7 +56,9 @@ struct PhaseTime {
 struct MeshStats {
   std::vector<PhaseTime> phases;
   std::uint64_t size_insertions = 0, quality_insertions = 0;
-  std::uint64_t lemma_6_insertions = 0;              ///< Case 2 of Figure 5 with a small circumradius
+  std::uint64_t lemma_6_insertions = 0;  ///< Case 2 of Figure 5 with a small circumradius
+  std::array<std::uint64_t, kSubcaseNames.size()> figure_8{};  ///< by Subcase
+  std::uint64_t candidates = 0;  ///< thrifty Figure 8: certified candidates inserted, no case needed
   std::uint64_t total_vertices = 0, total_tets = 0;  ///< before extraction
   std::uint64_t peak_bytes = 0;                      ///< held by the generator
   std::uint64_t insphere_filter = 0, insphere_small = 0, insphere_wide = 0, insphere_tie = 0;
@@ -55,6 +71,7 @@ struct MeshResult {
       MeshStatus::kDone;  ///< other than kDone: a valid Delaunay superset mesh, guarantees not reached
   TetMesh mesh;
   MeshStats stats;
+  std::vector<std::string> notes;  ///< on the input vertices: duplicates, points outside the domain
 };
 
 struct SizeEstimate {
@@ -74,13 +91,21 @@ SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, const Mes
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOptions& options = {},
                        const Control& control = {});
 
+/// The same with input vertices: each of `inputs` (the caller's coordinates) is a vertex of the mesh, bit for
+/// bit. The mesh's first points are the inputs in the caller's order, equal ones merged; point_source tells
+/// which. Tetrahedra with an input vertex outside the domain are kept too.
+/// \throws Error as above, and kBadInput where inputs are not finite or closer together than 1e-11 of the
+/// extent.
+MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                       const MeshOptions& options = {}, const Control& control = {});
+
 /// The grading guarantee of Theorem 7: each vertex v is at distance `share` * lfs(v) or more from its nearest
 /// neighbour, lfs taken with the constant c of Definition 2.
 struct GradingGuarantee {
   double c = 0;
-  double share = 0;  ///< 1 / 6.701 for Figure 5
+  double share = 0;  ///< 1 / 6.701 for Figure 5, 1 / 109.8 for Figure 8
 };
-GradingGuarantee grading_guarantee(Strategy strategy);
+GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices = false);
 
 /// A sound lower bound of lfs_s(p) = inf over a in the domain of c s(a) + |pa|, from a lower bound and the
 /// Lipschitz constant of s; sizes beyond the domain's diagonal count as that. 0 where s is not defined. The

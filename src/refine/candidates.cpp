@@ -4,6 +4,7 @@
 
 #include "lattice/ball.hpp"
 #include "refine/guarantees.hpp"
+#include "unsliver/error.hpp"
 
 namespace unsliver::refine {
 
@@ -22,6 +23,21 @@ std::optional<Vec3> first_in_conflict(Refinement& r, TetId t, const std::vector<
 }
 
 }  // namespace
+
+void broken_promise(const char* lemma) {
+  throw Error(ErrorCode::kInternal,
+              std::string("no lattice point found where ") + lemma +
+                  " of Labelle 2006 promises one: this is a bug in unsliver, please report it");
+}
+
+std::vector<Vec3> conflicting_points(Refinement& r, TetId t, Level level, const Vec3& center, double radius) {
+  std::vector<Vec3> points;
+  lattice::points_in_ball(level, center, radius, points);
+  std::erase_if(points, [&](const Vec3& w) {
+    return r.mesh().corner_at(t, w) != kNoVertex || !r.mesh().in_conflict(t, w);
+  });
+  return points;
+}
 
 double inherited_lfs_bound(const Refinement& r, TetId t, const Vec3& w) {
   double bound = std::numeric_limits<double>::infinity();
@@ -54,12 +70,23 @@ void sort_by_distance(std::vector<Vec3>& points, const Vec3& center) {
                    [&](const Vec3& a, const Vec3& b) { return dist_sq(a, center) < dist_sq(b, center); });
 }
 
-std::optional<Candidate> certified(Refinement& r, TetId t, const Vec3& w) {
-  const Level label = lattice::canonical_level(w);
-  const double bound = inherited_lfs_bound(r, t, w);
-  if (bound > figure_5_budget(label)) return std::nullopt;
+/// The certificate of a label for w, as a bound of lfs(w): inherited from a corner, or from two input
+/// vertices nearby (lfs is no more than lfs_i).
+std::optional<double> certificate(Refinement& r, TetId t, const Vec3& w, Level label) {
+  const double inherited = inherited_lfs_bound(r, t, w);
+  if (r.inputs().empty())
+    return inherited <= figure_5_budget(label) ? std::optional(inherited) : std::nullopt;
+  const double budget = figure_8_tight_budget(label);
+  if (inherited <= budget) return inherited;
+  return r.inputs().lfs_at_most(w, budget) ? std::optional(budget) : std::nullopt;
+}
+
+std::optional<Candidate> admissible(Refinement& r, TetId t, const Vec3& w, Level level) {
   if (r.mesh().corner_at(t, w) != kNoVertex || !r.mesh().in_conflict(t, w)) return std::nullopt;
-  return Candidate{w, label, bound};
+  if (!r.inputs().region_is_empty(w, level)) return std::nullopt;
+  const Level label = r.inputs().coarsest_label(w, level);
+  const auto bound = certificate(r, t, w, label);
+  return bound ? std::optional(Candidate{w, label, *bound}) : std::nullopt;
 }
 
 }  // namespace
@@ -74,7 +101,7 @@ std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level 
                             std::min(radius, kSearchRadius * lattice::covering_radius(level)), points);
     sort_by_distance(points, sphere.center);
     for (const Vec3& w : points)
-      if (auto candidate = certified(r, t, w)) return candidate;
+      if (auto candidate = admissible(r, t, w, level)) return candidate;
   }
   return std::nullopt;
 }

@@ -16,6 +16,15 @@ struct Candidate {
   double lfs_bound;
 };
 
+/// Lemma 3, 5 or 6 or Corollary 9 promised a point. If the promise fails there is a bug in the arithmetic,
+/// not in the input. \throws Error kInternal.
+[[noreturn]] void broken_promise(const char* lemma);
+
+/// Is the circumradius larger than the radius? Where lattices attain the radius, rounding must not say so.
+inline bool exceeds(double circumradius_sq, double radius) {
+  return circumradius_sq > radius * radius * (1 + 1e-12);
+}
+
 /// min over t's corners v of lfs_bound(v) + |vw|: Lemma 1.
 double inherited_lfs_bound(const Refinement& refinement, TetId t, const Vec3& w);
 
@@ -27,9 +36,15 @@ std::optional<Vec3> first_in_tangent_ball(Refinement& refinement, TetId t, Verte
 /// Literal: a point of `level` inside t's circumsphere, the first in lexicographic order (Lemma 6).
 std::optional<Vec3> first_in_circumsphere(Refinement& refinement, TetId t, Level level);
 
+/// The points of `level` in the closed ball that are in conflict with t, in lexicographic order.
+std::vector<Vec3> conflicting_points(Refinement& refinement, TetId t, Level level, const Vec3& center,
+                                     double radius);
+
 /// Thrifty: among the levels from the coarsest that can have points inside t's circumsphere down to `finest`,
 /// the first level with an admissible point: in conflict with t and certified within its label's budget. Of
 /// that level's points the one nearest to the circumcentre.
+/// \note With input vertices (Figure 8) admissible means also that the level's forbidden region is empty; the
+/// label is then the coarsest that the point can carry.
 std::optional<Candidate> coarsest_in_circumsphere(Refinement& refinement, TetId t, Level finest);
 
 }  // namespace unsliver::refine

@@ -10,7 +10,6 @@ namespace unsliver::refine {
 
 namespace {
 
-constexpr double kBestRatio = 1.118033988749895;  // sqrt(5)/2
 constexpr double kNoRatioDemand = 999;  // beyond this a bound means nothing, and squares outgrow 20 bits
 
 void require(bool holds, const std::string& message) {
@@ -19,7 +18,9 @@ void require(bool holds, const std::string& message) {
 
 }  // namespace
 
-exact::QualityBounds quality_bounds(const MeshOptions& options) {
+exact::QualityBounds quality_bounds(const MeshOptions& options, bool with_input_vertices) {
+  const double least_ratio = least_radius_edge(with_input_vertices);
+  const double max_ratio = options.max_radius_edge == 0 ? least_ratio : options.max_radius_edge;
   // Negated comparisons: NaN fails them too.
   require(options.min_dihedral_deg >= 0 && options.min_dihedral_deg <= 30,
           fmt::format(
@@ -32,18 +33,18 @@ exact::QualityBounds quality_bounds(const MeshOptions& options) {
           "maximum dihedral angle {}: must be between 135 and 180 degrees; no theorem backs less than 135 "
           "(Labelle 2006, section 4)",
           options.max_dihedral_deg));
-  require(
-      options.max_radius_edge >= kBestRatio * (1 - 1e-12),
-      fmt::format("maximum radius-edge ratio {}: must be at least sqrt(5)/2 = {:.6f}; no theorem backs less "
-                  "(Labelle 2006, section 4)",
-                  options.max_radius_edge, kBestRatio));
+  require(max_ratio >= least_ratio * (1 - 1e-12),
+          fmt::format(
+              "maximum radius-edge ratio {}: must be at least {}; no theorem backs less (Labelle 2006, {})",
+              max_ratio, with_input_vertices ? "1.368 beside input vertices" : "sqrt(5)/2 = 1.118034",
+              with_input_vertices ? "section 5" : "section 4"));
   exact::QualityBounds bounds;
   // cos = 1 and cos = -1 demand nothing.
   bounds.min_dihedral = options.min_dihedral_deg > 0 ? exact::cos_bound(options.min_dihedral_deg, true)
                                                      : exact::CosBound{1, 1, 1};
   bounds.max_dihedral = options.max_dihedral_deg < 180 ? exact::cos_bound(options.max_dihedral_deg, false)
                                                        : exact::CosBound{-1, 1, 1};
-  bounds.max_radius_edge = exact::ratio_bound(std::min(options.max_radius_edge, kNoRatioDemand));
+  bounds.max_radius_edge = exact::ratio_bound(std::min(max_ratio, kNoRatioDemand));
   return bounds;
 }
 

@@ -8,6 +8,6 @@
 namespace unsliver::refine {
 
 /// \throws Error kBadOption where a demand is stricter than the guarantee or not a number.
-exact::QualityBounds quality_bounds(const MeshOptions& options);
+exact::QualityBounds quality_bounds(const MeshOptions& options, bool with_input_vertices);
 
 }  // namespace unsliver::refine

@@ -37,21 +37,30 @@ Vec3 rounded(const Vec3& p) { return {std::nearbyint(p.x), std::nearbyint(p.y), 
   throw error;
 }
 
-/// "By Lemma 3 there exists a point w of SC_j in B": the first in lexicographic order.
-Vec3 first_in_ball(Level level, const Vec3& center) {
+/// The points of the level within r(level) of the centre ("by Lemma 3 there exists a point w of SC_j in B"):
+/// in lexicographic order, or the nearest first.
+std::vector<Vec3> points_of_level(Level level, const Vec3& center, bool nearest_first) {
   std::vector<Vec3> points;
   lattice::points_in_ball(level, center, lattice::covering_radius(level), points);
-  return points.empty() ? lattice::nearest(level, center) : points.front();
+  if (points.empty()) points.push_back(lattice::nearest(level, center));
+  if (nearest_first)
+    std::stable_sort(points.begin(), points.end(),
+                     [&](const Vec3& a, const Vec3& b) { return dist_sq(a, center) < dist_sq(b, center); });
+  return points;
 }
 
 }  // namespace
 
 EmptyBallSearch::LatticePoint EmptyBallSearch::point_for(const EmptyBall& ball) const {
-  Level level = lattice::coarsest_within((1 - kSizeSlack) * ball.size * (1 + 1e-12));
   const bool literal = r_.strategy() == Strategy::kLiteral;
-  if (literal && lattice::is_bcc(level)) --level;
-  if (level < r_.world().finest_level()) refuse_tiny_size(r_, ball);
-  return {literal ? first_in_ball(level, ball.center) : lattice::nearest(level, ball.center), level};
+  Level level = lattice::coarsest_within((1 - kSizeSlack) * ball.size * (1 + 1e-12));
+  for (;; --level) {
+    if (literal && lattice::is_bcc(level)) --level;
+    if (level < r_.world().finest_level()) refuse_tiny_size(r_, ball);
+    if (r_.inputs().empty() && !literal) return {lattice::nearest(level, ball.center), level};
+    for (const Vec3& w : points_of_level(level, ball.center, !literal))
+      if (r_.inputs().region_is_empty(w, level)) return {w, level};
+  }
 }
 
 std::optional<EmptyBall> EmptyBallSearch::find_quickly(TetId t, double floor) {

@@ -36,7 +36,9 @@ class EmptyBallSearch {
 
   /// The lattice point that a size insertion takes: within r(level) of p. Literal: the first point found of
   /// SC_j, j the largest with r(SC_j) <= s(p). Thrifty: the nearest point of the coarsest level, SC or BCC,
-  /// that fits. \throws Error kLimit when no usable level is that fine.
+  /// that fits. Beside input vertices the figure's own step breaks its invariant: then the point's forbidden
+  /// region must be empty, and the next finer level serves where there is none.
+  /// \throws Error kLimit when no usable level is that fine.
   struct LatticePoint {
     Vec3 w;
     Level level;

@@ -13,34 +13,50 @@ PodVector<TetId> kept_tets(Refinement& r) {
   return kept;
 }
 
-/// New index of each used vertex, kNoVertex for the rest; in order of insertion.
-PodVector<VertexId> renumber(const Refinement& r, const PodVector<TetId>& kept, std::size_t& used) {
+/// The mesh's vertices: new index of each vertex of the kernel, kNoVertex for those that are not used.
+struct Numbering {
+  Numbering(const Refinement& r, const PodVector<TetId>& kept) {
+    index.resize(r.mesh().vertex_count() + 1, kNoVertex);
+    for (TetId t : kept)
+      for (VertexId v : r.mesh().tet(t).v) index[v] = 0;
+    used = static_cast<VertexId>(r.inputs().places().size());
+    for (VertexId v = 1; v < index.size(); ++v)
+      if (r.is_input(v))
+        index[v] = r.site(v);
+      else if (index[v] != kNoVertex)
+        index[v] = used++;
+  }
   PodVector<VertexId> index;
-  index.resize(r.mesh().vertex_count() + 1, kNoVertex);
-  for (TetId t : kept)
-    for (VertexId v : r.mesh().tet(t).v) index[v] = 0;
-  used = 0;
-  for (VertexId& i : index)
-    if (i != kNoVertex) i = static_cast<VertexId>(used++);
-  return index;
+  VertexId used;
+};
+
+void copy_points(const Refinement& r, const Numbering& numbering, std::span<const Vec3> inputs,
+                 TetMesh& mesh) {
+  const auto& first_points = r.inputs().sites().first_point;
+  mesh.points.reserve(numbering.used);
+  mesh.levels.reserve(numbering.used);
+  for (const VertexId first : first_points) mesh.points.push_back(inputs[first]);
+  mesh.levels.assign(first_points.size(), kNoLabel);
+  for (VertexId v = 1; v < numbering.index.size(); ++v) {
+    if (numbering.index[v] == kNoVertex || r.is_input(v)) continue;
+    mesh.points.push_back(r.world().to_caller(r.mesh().point(v)));
+    mesh.levels.push_back(static_cast<std::uint8_t>(r.label(v)));
+  }
+  if (first_points.empty()) return;
+  mesh.point_source.assign(first_points.begin(), first_points.end());
+  mesh.point_source.resize(mesh.points.size(), -1);
 }
 
 }  // namespace
 
-TetMesh extract_superset(Refinement& r) {
+TetMesh extract_superset(Refinement& r, std::span<const Vec3> inputs) {
   const PodVector<TetId> kept = kept_tets(r);
-  std::size_t used = 0;
-  const PodVector<VertexId> index = renumber(r, kept, used);
+  const Numbering numbering(r, kept);
   TetMesh mesh;
   mesh.frame = r.world().frame();
-  mesh.points.reserve(used);
-  mesh.levels.reserve(used);
-  for (VertexId v = 1; v < index.size(); ++v) {
-    if (index[v] == kNoVertex) continue;
-    mesh.points.push_back(r.world().to_caller(r.mesh().point(v)));
-    mesh.levels.push_back(static_cast<std::uint8_t>(r.label(v)));
-  }
+  copy_points(r, numbering, inputs, mesh);
   mesh.tets.reserve(kept.size());
+  const auto& index = numbering.index;
   for (TetId t : kept) {
     const auto& v = r.mesh().tet(t).v;
     mesh.tets.push_back({index[v[0]], index[v[1]], index[v[2]], index[v[3]]});

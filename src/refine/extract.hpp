@@ -7,7 +7,7 @@
 namespace unsliver::refine {
 
 /// The superset mesh in the caller's coordinates: tetrahedra in storage order, vertices in order of
-/// insertion.
-TetMesh extract_superset(Refinement& refinement);
+/// insertion, but input vertices first, in the caller's order and with his coordinates.
+TetMesh extract_superset(Refinement& refinement, std::span<const Vec3> inputs);
 
 }  // namespace unsliver::refine

@@ -4,26 +4,15 @@
 // same, but for Lemma 6.
 #include "refine/figure_5.hpp"
 
-#include <deque>
-
 #include "refine/candidates.hpp"
-#include "refine/size_enforcement.hpp"
-#include "unsliver/error.hpp"
+#include "refine/first_in_first_out.hpp"
 
 namespace unsliver::refine {
 
 namespace {
 
-/// Lemma 3 or 6 promised a point. If the promise fails there is a bug in the arithmetic, not in the input.
-[[noreturn]] void broken_promise(const char* lemma) {
-  throw Error(ErrorCode::kInternal,
-              std::string("no lattice point found where ") + lemma +
-                  " of Labelle 2006 promises one: this is a bug in unsliver, please report it");
-}
-
 bool circumradius_exceeds(const Refinement& r, TetId t, Level level) {
-  const double radius = lattice::covering_radius(level);
-  return geom::circumsphere(r.mesh().corners(t)).radius_sq > radius * radius * (1 + 1e-12);
+  return exceeds(geom::circumsphere(r.mesh().corners(t)).radius_sq, lattice::covering_radius(level));
 }
 
 /// Quality enforcement of Figure 5, Cases 1 and 2.
@@ -55,39 +44,10 @@ void enforce_quality_thriftily(Refinement& r, TetId t) {
   }
 }
 
-/// A tetrahedron in the queue is the one that its newest corner made in its slot: a slot is filled at most
-/// once an insertion.
-struct Queued {
-  TetId slot;
-  std::array<VertexId, 4> corners;
-};
-
-Queued queued(const Refinement& r, TetId t) { return {t, std::to_array(r.mesh().tet(t).v)}; }
-
-bool still_there(const Refinement& r, const Queued& entry) {
-  return r.mesh().is_finite(entry.slot) && std::to_array(r.mesh().tet(entry.slot).v) == entry.corners;
-}
-
 }  // namespace
 
 void figure_5_literal(Refinement& r) {
-  r.enter_phase("refine");
-  EmptyBallSearch search(r);
-  std::deque<Queued> queue;
-  for (TetId t = 0; t < r.mesh().slot_count(); ++t) queue.push_back(queued(r, t));
-  for (; !queue.empty(); queue.pop_front()) {
-    const TetId t = queue.front().slot;
-    if (!still_there(r, queue.front()) || !r.meets_domain(t)) continue;
-    if (const auto ball = search.find(t, 0)) {
-      queue.push_back(queue.front());  // t may survive: w can lie outside its circumsphere
-      insert_for_size(r, search, *ball, t);
-    } else if (r.is_bad(t)) {
-      enforce_quality_literally(r, t);
-    } else {
-      continue;
-    }
-    for (TetId made : r.created()) queue.push_back(queued(r, made));
-  }
+  first_in_first_out(r, [&r](TetId t) { enforce_quality_literally(r, t); });
 }
 
 void figure_5_thrifty(Refinement& r) {

@@ -19,8 +19,10 @@ double size_or_zero(const Sizing& sizing, const Vec3& p) {
 
 }  // namespace
 
-GradingGuarantee grading_guarantee(Strategy strategy) {
+GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices) {
   const bool literal = strategy == Strategy::kLiteral;
+  if (with_input_vertices)
+    return {literal ? refine::kFigure8LiteralC : refine::kFigure8ThriftyC, refine::kFigure8Grading};
   return {literal ? refine::kFigure5LiteralC : refine::kFigure5ThriftyC, refine::kFigure5Grading};
 }
 

@@ -42,4 +42,31 @@ inline double figure_5_budget(lattice::Level label) {
   return std::ldexp(lattice::is_bcc(label) ? kFigure5B : kFigure5A, lattice::exponent(label));
 }
 
+/// Figure 8 (section 5.2.6): alpha = (2 sqrt 3 + 4 rho)(2 sqrt 3 + 2 rho) + 3 sqrt 3 / 2 + 2 rho,
+/// a = alpha + sqrt 5 + 5 sqrt 3 + 5 rho, b >= (a + sqrt 5)/2. The alpha that certificates must meet is
+/// rounded down, a and b are those that follow from it.
+inline constexpr double kFigure8Alpha = 88.18;
+inline constexpr double kFigure8A = 108.71;
+inline constexpr double kFigure8B = 55.48;
+
+/// Theorem 7 as extended in 5.2.6: 1 / (1 + a).
+inline constexpr double kFigure8Grading = 1 / 109.8;
+
+/// The constant c of Definition 2 beside input vertices. The size step takes the coarsest level whose point w
+/// has an empty forbidden region; one with r(level) + 2^k rho <= s always has, so s < 2^k (sqrt 3 + 2 rho)
+/// for the label taken, and c s + r(level) <= 2^k alpha for c = (alpha - sqrt(3)/2) / (sqrt 3 + 2 rho).
+inline constexpr double kFigure8LiteralC = 15.5;  // 15.633 less the witness slack
+inline constexpr double kFigure8ThriftyC = 12.4;  // 0.8 of it: see kThriftyHurry
+
+/// Inequality (1) for Figure 8, in two budgets, in units of 2^k with k the exponent of the label's forbidden
+/// region. 5.2.5 ends its chain of parents at a vertex with lfs <= 2^k max(b + sqrt 3, alpha), so all
+/// vertices but those of types 1.1 and 2 meet the tight one; these two may use the full one.
+inline double figure_8_budget(lattice::Level label) {
+  return std::ldexp(lattice::is_bcc(label) ? 2 * kFigure8B : kFigure8A, lattice::region_exponent(label));
+}
+inline double figure_8_tight_budget(lattice::Level label) {
+  return std::ldexp(lattice::is_bcc(label) ? kFigure8Alpha + 2.236 : kFigure8Alpha,
+                    lattice::region_exponent(label));
+}
+
 }  // namespace unsliver::refine

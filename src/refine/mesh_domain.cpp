@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include "refine/extract.hpp"
 #include "refine/figure_5.hpp"
+#include "refine/figure_8.hpp"
 #include "refine/refinement.hpp"
 #include "unsliver/refine.hpp"
 
@@ -34,22 +37,44 @@ void copy_counts(const refine::Refinement& refinement, MeshStats& stats) {
   stats.total_tets = refinement.mesh().tet_count();
 }
 
+void run(refine::Refinement& r, Strategy strategy) {
+  const bool literal = strategy == Strategy::kLiteral;
+  if (r.inputs().empty())
+    literal ? refine::figure_5_literal(r) : refine::figure_5_thrifty(r);
+  else
+    literal ? refine::figure_8_literal(r) : refine::figure_8_thrifty(r);
+}
+
+std::vector<std::string> notes_on_inputs(const refine::Refinement& r) {
+  std::vector<std::string> notes;
+  if (const std::string merged = r.inputs().sites().note(); !merged.empty()) notes.push_back(merged);
+  if (r.outside_count() > 0)
+    notes.push_back(
+        fmt::format("{} of {} input vertices lie outside the domain; the tetrahedra around them are part of "
+                    "the mesh",
+                    r.outside_count(), r.inputs().places().size()));
+  return notes;
+}
+
 }  // namespace
 
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
                        const Control& control) {
+  return mesh_domain(domain, sizing, {}, options, control);
+}
+
+MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                       const MeshOptions& options, const Control& control) {
   MeshResult result;
-  refine::Refinement refinement(domain, sizing, options, control);
+  refine::Refinement refinement(domain, sizing, inputs, options, control);
+  result.notes = notes_on_inputs(refinement);
   try {
-    if (options.strategy == Strategy::kLiteral)
-      refine::figure_5_literal(refinement);
-    else
-      refine::figure_5_thrifty(refinement);
+    run(refinement, options.strategy);
   } catch (const refine::Stopped& stopped) {
     result.status = stopped.status;
   }
   refinement.enter_phase("extract");
-  result.mesh = refine::extract_superset(refinement);
+  result.mesh = refine::extract_superset(refinement, inputs);
   refinement.finish_phases();
   result.stats = refinement.stats();
   copy_counts(refinement, result.stats);

@@ -37,18 +37,36 @@ double fit_radius(const Domain& domain, const Sizing& sizing, Strategy strategy)
   return known ? (1 - kSizeSlack) * s : 0;
 }
 
+Box3 box_of(const Domain& domain, std::span<const Vec3> inputs) {
+  Box3 box = domain.bounds();
+  for (const Vec3& p : inputs) box.extend(p);
+  return box;
+}
+
+Inputs make_inputs(lattice::InputSites sites, std::span<const Vec3> inputs, const lattice::World& world) {
+  std::vector<Vec3> places = lattice::to_world(sites, inputs, world);
+  return Inputs(std::move(sites), std::move(places));
+}
+
 }  // namespace
 
-Refinement::Refinement(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
-                       const Control& control)
+Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                       const MeshOptions& options, const Control& control)
+    : Refinement(domain, sizing, inputs, lattice::find_sites(inputs, box_of(domain, inputs).longest_side()),
+                 options, control) {}
+
+Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                       lattice::InputSites sites, const MeshOptions& options, const Control& control)
     : domain_(domain),
       sizing_(sizing),
       options_(options),
       control_(control),
-      world_(lattice::World::fit(domain.bounds(), fit_radius(domain, sizing, options.strategy))),
+      world_(lattice::World::fit(box_of(domain, inputs), fit_radius(domain, sizing, options.strategy),
+                                 sites.max_step())),
       caller_bounds_(domain.bounds()),
       lipschitz_(sizing.lipschitz()),
-      bounds_(quality_bounds(options)) {
+      bounds_(quality_bounds(options, !inputs.empty())),
+      inputs_(make_inputs(std::move(sites), inputs, world_)) {
   domain_box_ = {world_.to_world_real(caller_bounds_.lo), world_.to_world_real(caller_bounds_.hi)};
   size_cap_ = caller_bounds_.diagonal() / world_.unit();
   const double finest = lattice::covering_radius(world_.finest_level());  // sizes below it are refused
@@ -57,16 +75,39 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, const MeshOpt
   last_report_ = phase_start_ = std::chrono::steady_clock::now();
   add_vertex_arrays(0, 0);  // the vertex at infinity
   start_from_cube();
+  insert_inputs();
 }
 
 void Refinement::start_from_cube() {
-  const double lfs_bound = kCubeCorner * std::sqrt(3.0) + (kFigure5ThriftyC + 1) * size_cap_;
+  const double c = grading_guarantee(options_.strategy, !inputs_.empty()).c;
+  const double lfs_bound = kCubeCorner * std::sqrt(3.0) + (c + 1) * size_cap_;
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{i & 1 ? kCubeCorner : -kCubeCorner, i & 2 ? kCubeCorner : -kCubeCorner,
                       i & 4 ? kCubeCorner : -kCubeCorner};
     mesh_.insert(corner);
-    add_vertex_arrays(lattice::canonical_level(corner), lfs_bound);
+    add_vertex_arrays(inputs_.coarsest_label(corner, lattice::kMinLevel), lfs_bound);
   }
+}
+
+void Refinement::insert_inputs() {
+  const std::vector<Vec3>& places = inputs_.places();
+  first_input_ = static_cast<VertexId>(mesh_.vertex_count() + 1);
+  site_of_vertex_.resize(places.size());
+  outside_.resize(places.size());
+  const std::vector<VertexId> vertices = mesh_.insert_all(places);
+  for (VertexId site = 0; site < places.size(); ++site) {
+    site_of_vertex_[vertices[site] - first_input_] = site;
+    add_vertex_arrays(kNoLabel, std::numeric_limits<double>::infinity());
+    if (contains(places[site])) continue;
+    outside_[vertices[site] - first_input_] = true;
+    ++outside_count_;
+  }
+}
+
+bool Refinement::has_outside_input(TetId t) const {
+  return outside_count_ > 0 && std::any_of(mesh_.tet(t).v, mesh_.tet(t).v + 4, [this](VertexId v) {
+           return is_input(v) && outside_[v - first_input_];
+         });
 }
 
 void Refinement::add_vertex_arrays(Level label, double lfs_bound) {
@@ -76,10 +117,9 @@ void Refinement::add_vertex_arrays(Level label, double lfs_bound) {
 }
 
 VertexId Refinement::finest_corner(TetId t) const {
-  const auto& v = mesh_.tet(t).v;
-  VertexId finest = v[0];
-  for (int i = 1; i < 4; ++i)
-    if (labels_[v[i]] < labels_[finest]) finest = v[i];
+  VertexId finest = kNoVertex;
+  for (const VertexId v : mesh_.tet(t).v)
+    if (!is_input(v) && (finest == kNoVertex || labels_[v] < labels_[finest])) finest = v;
   return finest;
 }
 
@@ -99,6 +139,7 @@ double Refinement::clearance(VertexId v) {
 
 /// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside.
 bool Refinement::meets_domain(TetId t) {
+  if (has_outside_input(t)) return true;
   const Tet corners = mesh_.corners(t);
   for (int i = 0; i < 4; ++i) {
     const double clearance = this->clearance(mesh_.tet(t).v[i]), radius_sq = clearance * clearance;

@@ -16,6 +16,7 @@
 #include "geom/tetrahedron.hpp"
 #include "lattice/level.hpp"
 #include "lattice/world.hpp"
+#include "refine/inputs.hpp"
 #include "unsliver/refine.hpp"
 
 namespace unsliver::refine {
@@ -28,11 +29,15 @@ struct Stopped {
   MeshStatus status;
 };
 
+/// Input vertices have no label.
+inline constexpr Level kNoLabel = lattice::kMinLevel - 1;
+
 class Refinement {
  public:
   /// Starts from the corners of a huge lattice cube around the domain, which stand in for the paper's empty
-  /// half-spaces.
-  Refinement(const Domain& domain, const Sizing& sizing, const MeshOptions& options, const Control& control);
+  /// half-spaces, and from the input vertices.
+  Refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+             const MeshOptions& options, const Control& control);
 
   const delaunay::Triangulation& mesh() const { return mesh_; }
   delaunay::Triangulation& mesh() { return mesh_; }
@@ -43,10 +48,17 @@ class Refinement {
   Strategy strategy() const { return options_.strategy; }
   MeshStats& stats() { return stats_; }
 
+  const Inputs& inputs() const { return inputs_; }
+  bool is_input(VertexId v) const { return labels_[v] == kNoLabel; }
+  /// The site of an input vertex.
+  VertexId site(VertexId input) const { return site_of_vertex_[input - first_input_]; }
+  /// How many sites lie outside the domain. Tetrahedra there count as meeting it.
+  std::size_t outside_count() const { return outside_count_; }
+
   Level label(VertexId v) const { return labels_[v]; }
-  /// A certified upper bound of lfs(v): inequality (1) holds with it.
+  /// A certified upper bound of lfs(v): inequality (1) holds with it. Infinite for input vertices.
   double lfs_bound(VertexId v) const { return lfs_bounds_[v]; }
-  /// The finest label among t's corners, and its vertex.
+  /// t's refinement vertex with the finest label; kNoVertex where all corners are input vertices.
   VertexId finest_corner(TetId t) const;
 
   /// Could the interior of t meet the domain? No is certain.
@@ -94,9 +106,13 @@ class Refinement {
   void finish_phases();
 
  private:
+  Refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+             lattice::InputSites sites, const MeshOptions& options, const Control& control);
   Tet to_caller(const Tet& t) const;
   std::optional<double> varying_size_if_defined(const Vec3& p) const;
   void start_from_cube();
+  void insert_inputs();
+  bool has_outside_input(TetId t) const;
   void add_vertex_arrays(Level label, double lfs_bound);
   void report_progress();
   std::uint64_t bytes() const;
@@ -109,6 +125,11 @@ class Refinement {
   Box3 caller_bounds_, domain_box_;
   double lipschitz_, constant_size_ = 0, size_cap_, size_floor_;
   exact::QualityBounds bounds_;
+  Inputs inputs_;
+  VertexId first_input_ = 0;              ///< input vertices are numbered in a row from here
+  std::vector<VertexId> site_of_vertex_;  ///< by vertex - first_input_
+  std::vector<bool> outside_;             ///< by vertex - first_input_: not in the domain
+  std::size_t outside_count_ = 0;
 
   delaunay::Triangulation mesh_;
   PodVector<std::uint8_t> labels_;

@@ -7,8 +7,8 @@ namespace unsliver::refine {
 void insert_for_size(Refinement& r, const EmptyBallSearch& search, const EmptyBall& ball, TetId near) {
   const auto [w, level] = search.point_for(ball);
   const bool literal = r.strategy() == Strategy::kLiteral;
-  const double c = literal ? kFigure5LiteralC : kFigure5ThriftyC;
-  const Level label = literal ? level : lattice::canonical_level(w);
+  const double c = grading_guarantee(r.strategy(), !r.inputs().empty()).c;
+  const Level label = literal ? level : r.inputs().coarsest_label(w, level);
   r.insert(w, label, c * ball.size + dist(w, ball.center), near);
   ++r.stats().size_insertions;
 }

@@ -1,0 +1,185 @@
+// Labelle's Figure 8. Notation: t a bad tetrahedron of circumcentre c and circumradius R; v its refinement
+// vertex with the finest label, SC_k or BCC_{k+1}; u1, u2 input vertices nearby; w the vertex to insert.
+// With levels as one chain (lattice/level.hpp) Cases 1.1 and 1.2 read the same: w comes from the next coarser
+// lattice than v's label, and k is that of the label's forbidden region.
+#include "refine/figure_8.hpp"
+
+#include <cassert>
+
+#include "refine/candidates.hpp"
+#include "refine/first_in_first_out.hpp"
+#include "refine/guarantees.hpp"
+
+namespace unsliver::refine {
+
+namespace {
+
+using lattice::covering_radius;
+using lattice::kHalfSqrt3;
+using lattice::kRho;
+using lattice::power_of_two;
+
+constexpr Level sc(int k) { return 2 * k + 1; }
+
+/// One bad tetrahedron.
+struct Bad {
+  Bad(const Refinement& r, TetId tet)
+      : t(tet), sphere(geom::circumsphere(r.mesh().corners(tet))), v(r.finest_corner(tet)) {
+    for (const VertexId corner : r.mesh().tet(tet).v)
+      if (r.is_input(corner)) inputs.push_back(r.mesh().point(corner));
+  }
+  TetId t;
+  geom::Sphere sphere;
+  VertexId v;                ///< kNoVertex where all corners are input vertices
+  std::vector<Vec3> inputs;  ///< those among the corners
+};
+
+void count(Refinement& r, Subcase subcase) { ++r.stats().figure_8[static_cast<std::size_t>(subcase)]; }
+
+/// "By construction no input point is in the forbidden region" or it was looked up: the invariant, Table 2's
+/// distance and inequality (1).
+void insert(Refinement& r, const Bad& bad, const Vec3& w, Level label, double lfs_bound,
+            [[maybe_unused]] double table_2) {
+  assert(r.inputs().region_is_empty(w, label));
+  assert(lfs_bound <= figure_8_budget(label) * (1 + 1e-6));
+  assert(dist(bad.v == kNoVertex ? w : r.mesh().point(bad.v), w) <= table_2 * (1 + 1e-9));
+  r.insert(w, label, lfs_bound, bad.t);
+  ++r.stats().quality_insertions;
+}
+
+/// The centre of the ball of this radius that is tangent at v inside t's circumsphere.
+Vec3 tangent_center(const Refinement& r, const Bad& bad, double radius) {
+  const Vec3 v = r.mesh().point(bad.v);
+  return v + radius / std::sqrt(bad.sphere.radius_sq) * (bad.sphere.center - v);
+}
+
+std::vector<Vec3> points_in_circumsphere(Refinement& r, const Bad& bad, Level level) {
+  return conflicting_points(r, bad.t, level, bad.sphere.center, std::sqrt(bad.sphere.radius_sq));
+}
+
+/// "There exists a point w": the literal strategy takes the first in lexicographic order. The thrifty one
+/// prefers a point with an empty region, in a coarse lattice, near c. Requires points.
+Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3>& points) {
+  if (r.strategy() == Strategy::kLiteral) return points.front();
+  const auto score = [&](const Vec3& w) {
+    return lattice::canonical_level(w) -
+           0.5 * std::sqrt(dist_sq(w, bad.sphere.center) / bad.sphere.radius_sq);
+  };
+  std::stable_sort(points.begin(), points.end(),
+                   [&](const Vec3& a, const Vec3& b) { return score(a) > score(b); });
+  for (const Vec3& w : points)
+    if (r.inputs().region_is_empty(w, label)) return w;
+  return points.front();
+}
+
+void case_3(Refinement& r, const Bad& bad) {
+  count(r, Subcase::k3);
+  const double radius = std::sqrt(bad.sphere.radius_sq);
+  int j = std::ilogb(radius / (kHalfSqrt3 + kRho));
+  if (power_of_two(j) * (kHalfSqrt3 + kRho) >= radius * (1 - 1e-12)) --j;
+  const Level label = sc(j);
+  if (label < r.world().finest_level()) broken_promise("the least distance of input vertices");
+  auto points = conflicting_points(r, bad.t, label, bad.sphere.center, covering_radius(label));
+  if (points.empty()) broken_promise("Lemma 3");
+  insert(r, bad, choose(r, bad, label, points), label, power_of_two(j) * kFigure8Alpha, 2 * radius);
+}
+
+/// 2.1: the points of SC_k in a ball B' of radius r(SC_k) that lies in the ball B of that radius + `margin`,
+/// tangent at v, as far as possible from u1.
+std::vector<Vec3> points_of_2_1(Refinement& r, const Bad& bad, const Vec3& u1, int k, double margin) {
+  const Vec3 center = tangent_center(r, bad, covering_radius(sc(k)) + margin);
+  const double distance = dist(center, u1);
+  const Vec3 shift = distance > 0 ? margin / distance * (center - u1) : Vec3{margin, 0, 0};
+  return conflicting_points(r, bad.t, sc(k), center + shift, covering_radius(sc(k)));
+}
+
+void case_2(Refinement& r, const Bad& bad, const Vec3& u1) {
+  const int k = lattice::region_exponent(r.label(bad.v));
+  const double margin = power_of_two(k) * kRho / 2, radius = covering_radius(sc(k)) + margin;
+  const bool large = exceeds(bad.sphere.radius_sq, radius);
+  if (!large && std::any_of(bad.inputs.begin(), bad.inputs.end(), [&](const Vec3& u) { return u != u1; })) {
+    count(r, Subcase::k23);
+    return case_3(r, bad);
+  }
+  count(r, large ? Subcase::k21 : Subcase::k22);
+  std::vector<Vec3> points =
+      large ? points_of_2_1(r, bad, u1, k, margin) : points_in_circumsphere(r, bad, sc(k));
+  std::erase_if(points, [&](const Vec3& w) { return lattice::in_forbidden_region(w, sc(k), u1); });
+  if (points.empty()) broken_promise(large ? "Lemma 3" : "Corollary 9");
+  const Vec3 w = choose(r, bad, sc(k), points);
+  if (!r.inputs().region_is_empty(w, sc(k))) return case_3(r, bad);
+  const double inherited = r.lfs_bound(bad.v) + dist(r.mesh().point(bad.v), w);
+  insert(r, bad, w, sc(k), std::min(inherited, power_of_two(k) * kFigure8A), 2 * radius);
+}
+
+/// 1.1.1 and 1.2.1, or 1.2.3: the points of the next coarser lattice. None where 1.1.2 or 1.2.2 apply.
+std::vector<Vec3> points_of_case_1(Refinement& r, const Bad& bad, Level level) {
+  const bool next_is_bcc = lattice::is_bcc(level);
+  if (exceeds(bad.sphere.radius_sq, covering_radius(level))) {
+    count(r, next_is_bcc ? Subcase::k111 : Subcase::k121);
+    const double radius = covering_radius(level);
+    auto points = conflicting_points(r, bad.t, level, tangent_center(r, bad, radius), radius);
+    if (points.empty()) broken_promise("Lemma 3");
+    return points;
+  }
+  if (!bad.inputs.empty()) {
+    count(r, next_is_bcc ? Subcase::k112 : Subcase::k122);
+    return {};
+  }
+  count(r, next_is_bcc ? Subcase::k113 : Subcase::k123);
+  if (next_is_bcc) broken_promise("Lemma 5");
+  auto points = points_in_circumsphere(r, bad, level);
+  if (points.empty()) broken_promise("Lemma 6");
+  return points;
+}
+
+void case_1(Refinement& r, const Bad& bad) {
+  const Level level = r.label(bad.v) + 1;
+  std::vector<Vec3> points = points_of_case_1(r, bad, level);
+  if (points.empty()) return case_2(r, bad, bad.inputs.front());
+  const Vec3 w = choose(r, bad, level, points);
+  if (const auto u1 = r.inputs().in_region(w, level)) return case_2(r, bad, *u1);
+  const double inherited = r.lfs_bound(bad.v) + dist(r.mesh().point(bad.v), w);
+  insert(r, bad, w, level, inherited, 2 * covering_radius(level));
+}
+
+/// Where both cases apply, the literal strategy chooses Case 1.
+void enforce_quality_literally(Refinement& r, TetId t) {
+  const Bad bad(r, t);
+  bad.v == kNoVertex ? case_3(r, bad) : case_1(r, bad);
+}
+
+void enforce_quality_thriftily(Refinement& r, TetId t) {
+  const VertexId v = r.finest_corner(t);
+  const Level finest = v == kNoVertex ? r.world().finest_level() : r.label(v) + 1;
+  const auto c = coarsest_in_circumsphere(r, t, finest);
+  if (!c) return enforce_quality_literally(r, t);
+  r.insert(c->w, c->label, c->lfs_bound, t);
+  ++r.stats().candidates;
+  ++r.stats().quality_insertions;
+}
+
+}  // namespace
+
+void figure_8_literal(Refinement& r) {
+  first_in_first_out(r, [&r](TetId t) { enforce_quality_literally(r, t); });
+}
+
+void figure_8_thrifty(Refinement& r) {
+  r.enter_phase("size");
+  enforce_size(r);
+  r.enter_phase("quality");
+  RadiusQueue queue;
+  const auto push_if_bad = [&](TetId t) {
+    if (r.mesh().is_finite(t) && r.is_bad(t))
+      queue.push(queued(r, t), geom::circumsphere(r.mesh().corners(t)).radius_sq);
+  };
+  for (TetId t = 0; t < r.mesh().slot_count(); ++t) push_if_bad(t);
+  while (const auto next = queue.pop()) {
+    if (!still_there(r, *next) || !r.meets_domain(next->slot)) continue;
+    enforce_quality_thriftily(r, next->slot);
+    for (const TetId made : r.created()) push_if_bad(made);
+  }
+}
+
+}  // namespace unsliver::refine

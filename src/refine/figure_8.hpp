@@ -1,0 +1,17 @@
+/// \file
+/// Labelle's Figure 8: a superset mesh of a domain with quality tetrahedra that respects input vertices.
+#pragma once
+
+#include "refine/refinement.hpp"
+
+namespace unsliver::refine {
+
+/// The figure to the letter, first in first out; but for the size step, see point_for.
+void figure_8_literal(Refinement& refinement);
+
+/// The same invariants, fewer vertices: all size enforcement first, then the bad tetrahedra by circumradius,
+/// with certified candidates from the coarsest level that has one, and the figure's own cases where none is
+/// certified.
+void figure_8_thrifty(Refinement& refinement);
+
+}  // namespace unsliver::refine

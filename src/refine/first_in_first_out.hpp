@@ -1,0 +1,35 @@
+/// \file
+/// The order of the literal strategy: "repeat the enforcement steps below until none apply", first in first
+/// out, size before quality.
+#pragma once
+
+#include <deque>
+
+#include "refine/queued.hpp"
+#include "refine/size_enforcement.hpp"
+
+namespace unsliver::refine {
+
+/// `enforce_quality(t)` inserts a vertex for the bad tetrahedron t.
+template <class EnforceQuality>
+void first_in_first_out(Refinement& r, EnforceQuality enforce_quality) {
+  r.enter_phase("refine");
+  EmptyBallSearch search(r);
+  std::deque<Queued> queue;
+  for (TetId t = 0; t < r.mesh().slot_count(); ++t) queue.push_back(queued(r, t));
+  for (; !queue.empty(); queue.pop_front()) {
+    const TetId t = queue.front().slot;
+    if (!still_there(r, queue.front()) || !r.meets_domain(t)) continue;
+    if (const auto ball = search.find(t, 0)) {
+      queue.push_back(queue.front());  // t may survive: w can lie outside its circumsphere
+      insert_for_size(r, search, *ball, t);
+    } else if (r.is_bad(t)) {
+      enforce_quality(t);
+    } else {
+      continue;
+    }
+    for (TetId made : r.created()) queue.push_back(queued(r, made));
+  }
+}
+
+}  // namespace unsliver::refine

@@ -1,0 +1,54 @@
+/// \file
+/// The input vertices of Figure 8, and what the algorithm asks of them.
+#pragma once
+
+#include "geom/point_tree.hpp"
+#include "lattice/forbidden_region.hpp"
+#include "lattice/input_sites.hpp"
+
+namespace unsliver::refine {
+
+/// Static: all are known before the first refinement vertex. Places are world points.
+class Inputs {
+ public:
+  /// m >= 0 distinct places. `sites` says which of the caller's points they stand for.
+  Inputs(lattice::InputSites sites, std::vector<Vec3> places)
+      : sites_(std::move(sites)), places_(std::move(places)), tree_(places_) {}
+
+  bool empty() const { return places_.empty(); }
+  const std::vector<Vec3>& places() const { return places_; }
+  const lattice::InputSites& sites() const { return sites_; }
+
+  /// "Is there an input vertex in the region R(w, k)?", k that of the label. The lexicographically smallest.
+  std::optional<Vec3> in_region(const Vec3& w, lattice::Level label) const {
+    if (empty()) return std::nullopt;
+    const VertexId site = tree_.first_in_cube(w, half_side(label));
+    return site == kNoVertex ? std::nullopt : std::optional(places_[site]);
+  }
+  bool region_is_empty(const Vec3& w, lattice::Level label) const {
+    return empty() || !tree_.has_in_cube(w, half_side(label));
+  }
+
+  /// The coarsest label that w, of this level's lattice, can carry: its region is empty. Requires that the
+  /// level's own is.
+  lattice::Level coarsest_label(const Vec3& w, lattice::Level level) const {
+    const lattice::Level canonical = lattice::canonical_level(w);
+    if (empty()) return canonical;
+    while (level < canonical && region_is_empty(w, level + 1)) ++level;
+    return level;
+  }
+
+  /// lfs_i(w) <= bound? lfs_i is the distance to the second nearest input vertex (Definition 1).
+  bool lfs_at_most(const Vec3& w, double bound) const { return !empty() && tree_.has_within(w, bound, 2); }
+
+ private:
+  static double half_side(lattice::Level label) {
+    return lattice::half_side(lattice::region_exponent(label));
+  }
+
+  lattice::InputSites sites_;
+  std::vector<Vec3> places_;
+  geom::PointTree tree_;
+};
+
+}  // namespace unsliver::refine

@@ -1,0 +1,60 @@
+/// \file
+/// Tetrahedra that wait for their turn, and the queue of the thrifty strategy.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "refine/refinement.hpp"
+
+namespace unsliver::refine {
+
+/// A tetrahedron in a queue is the one that its newest corner made in its slot: a slot is filled at most
+/// once an insertion.
+struct Queued {
+  TetId slot;
+  std::array<VertexId, 4> corners;
+};
+
+inline Queued queued(const Refinement& r, TetId t) { return {t, std::to_array(r.mesh().tet(t).v)}; }
+
+inline bool still_there(const Refinement& r, const Queued& entry) {
+  return r.mesh().is_finite(entry.slot) && std::to_array(r.mesh().tet(entry.slot).v) == entry.corners;
+}
+
+/// Smallest circumradius first, to a quarter of an octave; last in first out among equals. Both operations
+/// are O(1).
+class RadiusQueue {
+ public:
+  /// Requires 1 <= radius_sq < 2^200.
+  void push(const Queued& entry, double radius_sq) {
+    const std::size_t bucket = bucket_of(radius_sq);
+    buckets_[bucket].push_back(entry);
+    lowest_ = std::min(lowest_, bucket);
+  }
+  /// The next entry, or nothing when the queue is empty.
+  std::optional<Queued> pop() {
+    while (lowest_ < kBuckets && buckets_[lowest_].empty()) ++lowest_;
+    if (lowest_ == kBuckets) return std::nullopt;
+    const Queued entry = buckets_[lowest_].back();
+    buckets_[lowest_].pop_back();
+    return entry;
+  }
+
+ private:
+  static constexpr int kBitsOfFraction = 1;  // of the square: half an octave of it, a quarter of the radius
+  static constexpr std::size_t kBuckets = std::size_t{200} << kBitsOfFraction;
+
+  static std::size_t bucket_of(double radius_sq) {
+    const auto exponent_and_fraction = std::bit_cast<std::uint64_t>(radius_sq) >> (52 - kBitsOfFraction);
+    const std::uint64_t of_one = std::uint64_t{1023} << kBitsOfFraction;
+    return std::min<std::size_t>(exponent_and_fraction - std::min(exponent_and_fraction, of_one),
+                                 kBuckets - 1);
+  }
+
+  std::array<std::vector<Queued>, kBuckets> buckets_;
+  std::size_t lowest_ = kBuckets;
+};
+
+}  // namespace unsliver::refine
