@@ -59,7 +59,7 @@ void add_quality_options(CLI::App& parser, MeshCommandOptions& options) {
                   "largest dihedral angle, at least 135 (the default)")
       ->group(group);
   parser
-      .add_option("--max-radius-edge", options.mesh.max_radius_edge,
+      .add_option("--max-radius-edge", options.max_radius_edge,
                   "circumradius / shortest edge, at least sqrt(5)/2 (the default)")
       ->group(group);
   parser
@@ -102,14 +102,18 @@ void check_bound(const char* option, double value, double strictest, double loos
                           option, value, low, high, strictest));
 }
 
-void check_quality(const MeshOptions& mesh) {
+void check_angles(const MeshOptions& mesh) {
   const MeshOptions proven;
   check_bound("--min-angle", mesh.min_dihedral_deg, proven.min_dihedral_deg, 0);
   check_bound("--max-angle", mesh.max_dihedral_deg, proven.max_dihedral_deg, 180);
-  if (mesh.max_radius_edge >= proven.max_radius_edge) return;
+}
+
+/// The bound to use, the least that is proven where none was typed.
+double radius_edge_bound(const std::optional<double>& typed) {
+  const double least = least_radius_edge(false);
+  if (!typed || *typed >= least) return typed.value_or(least);
   throw Error(ErrorCode::kBadOption,
-              fmt::format("--max-radius-edge is {}: no less than {} (sqrt(5)/2) is proven",
-                          mesh.max_radius_edge, proven.max_radius_edge));
+              fmt::format("--max-radius-edge is {}: no less than {} (sqrt(5)/2) is proven", *typed, least));
 }
 
 }  // namespace
@@ -143,7 +147,8 @@ void check_mesh_files(const MeshCommandOptions& options) {
 void check_mesh_options(MeshCommandOptions& options) {
   check_domain_request(options.domain);
   check_size_request(options.size, options.domain.surface_file.has_value());
-  check_quality(options.mesh);
+  check_angles(options.mesh);
+  options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge);
   if (options.strategy == "literal") options.mesh.strategy = Strategy::kLiteral;
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");
   if (!options.max_memory.empty())

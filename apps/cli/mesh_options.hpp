@@ -17,7 +17,8 @@ struct MeshCommandOptions {
   SizeRequest size;
   MeshOptions mesh;
   std::string strategy = "thrifty";
-  std::string max_tets, max_memory;  ///< as typed; empty = none
+  std::optional<double> max_radius_edge;  ///< as typed
+  std::string max_tets, max_memory;       ///< as typed; empty = none
   std::string output;
   io::WriteOptions write;
   std::string json;  ///< a path, "-" for standard output, empty for none
