@@ -3,46 +3,63 @@
 namespace unsliver::octree {
 namespace {
 
-/// Where the cell at a place of a child block is found in the parent's: the neighbour of the parent, and
-/// which of its children.
-struct Origin {
-  std::int8_t offset;
-  std::uint8_t child;
+/// The places of a child block that one neighbour of the parent fills, and with which of its children.
+struct Share {
+  std::int8_t offset;  ///< of the neighbour, in the parent's block
+  std::uint8_t count;
+  std::array<std::uint8_t, 8> place, child;
 };
 
-constexpr std::array<Origin, 64> make_origins() {
-  std::array<Origin, 64> origins{};
+/// Along one axis: the cell at coordinate 0..3 of a child block belongs to the parent's neighbour by -1, 0, 0
+/// or 1, and is its upper, lower, upper or lower half.
+constexpr int step_up(int coordinate) { return coordinate == 0 ? -1 : (coordinate - 1) / 2; }
+constexpr int half(int coordinate) { return (coordinate + 1) & 1; }
+
+constexpr std::array<Share, 27> make_shares() {
+  std::array<Share, 27> shares{};
   for (int place = 0; place < 64; ++place) {
-    const int step[3] = {(place & 3) - 1, (place >> 2 & 3) - 1, (place >> 4) - 1};
-    int up[3] = {}, child = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      up[axis] = step[axis] < 0 ? -1 : step[axis] / 2;
-      child |= (step[axis] & 1) << axis;
-    }
-    origins[std::size_t(place)] = {std::int8_t(offset(up[0], up[1], up[2])), std::uint8_t(child)};
+    const int at[3] = {place & 3, place >> 2 & 3, place >> 4};
+    const int up[3] = {step_up(at[0]), step_up(at[1]), step_up(at[2])};
+    Share& share = shares[std::size_t((up[0] + 1) + 3 * (up[1] + 1) + 9 * (up[2] + 1))];
+    share.offset = std::int8_t(offset(up[0], up[1], up[2]));
+    share.place[share.count] = std::uint8_t(place);
+    share.child[share.count++] = std::uint8_t(half(at[0]) | half(at[1]) << 1 | half(at[2]) << 2);
   }
-  return origins;
+  return shares;
 }
-constexpr std::array<Origin, 64> kOrigins = make_origins();
+constexpr std::array<Share, 27> kShares = make_shares();
 
 }  // namespace
 
 Block root_block(const Forest& forest, int i, int j, int k) {
   Block block;
   for (int place = 0; place < 64; ++place) {
-    const int step[3] = {(place & 3) - 1, (place >> 2 & 3) - 1, (place >> 4) - 1};
-    block.set(forest, place, forest.root(i + step[0], j + step[1], k + step[2]), true);
+    const NodeId n = forest.root(i + (place & 3) - 1, j + (place >> 2 & 3) - 1, k + (place >> 4) - 1);
+    if (n == kNoNode)
+      block.set_none(place);
+    else
+      block.set_same(place, n, forest[n]);
   }
   return block;
 }
 
 Block child_block(const Forest& forest, const Block& parent, int place) {
   Block block;
-  for (int p = 0; p < 64; ++p) {
-    const Origin origin = kOrigins[std::size_t(p)];
-    const auto up = std::size_t(place + origin.offset);
-    const bool is_split = (parent.split & parent.same) >> up & 1;
-    block.set(forest, p, is_split ? parent.link[up] + origin.child : parent.node[up], is_split);
+  for (const Share& share : kShares) {
+    const auto up = std::size_t(place + share.offset);
+    if (parent.split >> up & 1) {
+      for (std::size_t i = 0; i < share.count; ++i) {
+        const NodeId n = parent.link[up] + share.child[i];
+        block.set_same(share.place[i], n, forest[n]);
+      }
+    } else {
+      for (std::size_t i = 0; i < share.count; ++i) {
+        if (parent.node[up] == kNoNode)
+          block.set_none(share.place[i]);
+        else
+          block.set_larger_leaf(share.place[i], parent.node[up], parent.link[up]);
+      }
+    }
   }
   return block;
 }

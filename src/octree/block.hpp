@@ -31,22 +31,25 @@ struct Block {
   /// A mask seen from a place that holds a child: bit kFirstPlace + offset is that of the neighbour.
   static std::uint64_t around(std::uint64_t mask, int place) { return mask >> (place - kFirstPlace); }
 
-  void set(const Forest& forest, int place, NodeId n, bool is_same);
+  void set_none(int place) {
+    node[std::size_t(place)] = kNoNode;
+    link[std::size_t(place)] = -1;
+  }
+  void set_larger_leaf(int place, NodeId leaf, std::int32_t its_link) {
+    node[std::size_t(place)] = leaf;
+    link[std::size_t(place)] = its_link;
+    exists |= std::uint64_t{1} << place;
+  }
+  void set_same(int place, NodeId n, const Node& at) {
+    node[std::size_t(place)] = n;
+    link[std::size_t(place)] = at.link;
+    const std::uint64_t has_children = at.is_leaf() ? 0 : 1, has_center = at.flags & kHasCenter;
+    exists |= std::uint64_t{1} << place;
+    same |= std::uint64_t{1} << place;
+    split |= has_children << place;
+    centered |= (has_center & ~has_children) << place;
+  }
 };
-
-inline void Block::set(const Forest& forest, int place, NodeId n, bool is_same) {
-  const auto i = std::size_t(place);
-  node[i] = n;
-  link[i] = -1;
-  if (n == kNoNode) return;
-  const Node& at = forest[n];
-  link[i] = at.link;
-  exists |= std::uint64_t{1} << place;
-  const bool has_children = !at.is_leaf();
-  same |= std::uint64_t(is_same) << place;
-  split |= std::uint64_t(has_children) << place;
-  centered |= std::uint64_t(is_same && !has_children && (at.flags & kHasCenter) != 0) << place;
-}
 
 /// The block whose first child is root (i, j, k): the roots around it.
 Block root_block(const Forest& forest, int i, int j, int k);

@@ -22,7 +22,10 @@ using lattice::kQuarterSqrt5;
 constexpr double kSizeSlack = 1e-6;
 constexpr double kRounding = 1e-12;
 /// Above this Lipschitz constant the deep test asks for too much.
-constexpr double kGentle = 0.5;
+constexpr double kGentle = 0.4;
+/// A lower bound of s below this share of the domain comes from places outside the domain, where s may be
+/// anything.
+constexpr double kUnknownSize = 1e-12;
 /// See the header: sqrt(1.5^2 + 0.5^2 + 0.5^2) + 2, rounded up.
 constexpr double kDeepReach = 3.67;
 /// Boxes are halved this often before a leaf counts as too large.
@@ -56,6 +59,15 @@ double distance_to_leaf_sq(const Vec3& center, double half) {
 }
 
 }  // namespace
+
+// With the deep test's surcharge: where the least size is taken a unit without it would be one whole level
+// too coarse.
+double fit_radius(const Domain& domain, const Sizing& sizing) {
+  const double s = sizing.lower_bound(domain.bounds()), lipschitz = sizing.lipschitz();
+  if (!std::isfinite(s) || s <= kUnknownSize * domain.bounds().diagonal()) return 0;
+  const double surcharge = lipschitz <= kGentle ? hole_share(lipschitz) / kQuarterSqrt5 : 1;
+  return (1 - kSizeSlack) * s / surcharge;
+}
 
 LeafTest::LeafTest(const Domain& domain, const Sizing& sizing, const lattice::World& world)
     : domain_(domain),

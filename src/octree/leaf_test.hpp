@@ -28,6 +28,10 @@
 
 namespace unsliver::octree {
 
+/// The radius that the world's unit is to be fitted to, so that the leaves of the least size just pass; 0 if
+/// there is nothing to fit.
+double fit_radius(const Domain& domain, const Sizing& sizing);
+
 enum class Verdict { kSplit, kWithCenter, kPlain };
 
 struct LeafTestCounts {

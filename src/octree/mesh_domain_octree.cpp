@@ -1,10 +1,5 @@
 #include <chrono>
-#include <cmath>
 #include <optional>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 #include "lattice/world.hpp"
 #include "octree/balance.hpp"
@@ -16,18 +11,7 @@
 namespace unsliver::octree {
 namespace {
 
-/// The unit is fitted to this share of the size, as LeafTest works with it.
-constexpr double kFittedShare = 1 - 1e-6;
-/// A lower bound of s below this share of the domain comes from places outside the domain, where s may be
-/// anything.
-constexpr double kUnknownSize = 1e-12;
 constexpr auto kReportInterval = std::chrono::milliseconds(100);
-
-double fit_radius(const Domain& domain, const Sizing& sizing) {
-  const double s = sizing.lower_bound(domain.bounds());
-  const bool known = std::isfinite(s) && s > kUnknownSize * domain.bounds().diagonal();
-  return known ? kFittedShare * s : 0;
-}
 
 Box3 in_world(const Box3& box, const lattice::World& world) {
   return {world.to_world_real(box.lo), world.to_world_real(box.hi)};
@@ -37,19 +21,6 @@ Box3 in_world(const Box3& box, const lattice::World& world) {
 struct Stopped {
   OctreeStatus status;
 };
-
-/// Asks for huge pages, as base/pod_vector.hpp does.
-template <class T>
-void resize_large(std::vector<T>& v, std::size_t n) {
-  v.reserve(n);
-#ifdef __linux__
-  constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21;
-  const auto begin = (reinterpret_cast<std::uintptr_t>(v.data()) + kHugePage - 1) & ~(kHugePage - 1);
-  const auto end = reinterpret_cast<std::uintptr_t>(v.data() + n) & ~(kHugePage - 1);
-  if (end > begin) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#endif
-  v.resize(n);
-}
 
 class Run {
  public:
@@ -125,13 +96,13 @@ class Run {
     mesh_.frame = world_.frame();
     const std::size_t vertices = emission_->vertex_count(), tets = emission_->tet_count();
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
-    resize_large(mesh_.points, vertices);
+    mesh_.points.resize(vertices);
     mesh_.levels.resize(vertices);
     emission_->write_points([this](VertexId v, const Vec3& p) {
       mesh_.points[v] = world_.to_caller(p);
       mesh_.levels[v] = std::uint8_t(lattice::canonical_level(p));
     });
-    resize_large(mesh_.tets, tets);
+    mesh_.tets.resize(tets);
     emission_->write_tets(mesh_.tets.data());
   }
 
