@@ -96,6 +96,7 @@ std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level 
   const double radius = std::sqrt(sphere.radius_sq);
   std::vector<Vec3> points;
   for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {
+    if (auto candidate = admissible(r, t, lattice::nearest(level, sphere.center), level)) return candidate;
     points.clear();
     lattice::points_in_ball(level, sphere.center,
                             std::min(radius, kSearchRadius * lattice::covering_radius(level)), points);

@@ -23,8 +23,7 @@ inline bool still_there(const Refinement& r, const Queued& entry) {
   return r.mesh().is_finite(entry.slot) && std::to_array(r.mesh().tet(entry.slot).v) == entry.corners;
 }
 
-/// Smallest circumradius first, to a quarter of an octave; last in first out among equals. Both operations
-/// are O(1).
+/// Smallest circumradius first, to one percent; last in first out among equals. Both operations are O(1).
 class RadiusQueue {
  public:
   /// Requires 1 <= radius_sq < 2^200.
@@ -43,7 +42,7 @@ class RadiusQueue {
   }
 
  private:
-  static constexpr int kBitsOfFraction = 1;  // of the square: half an octave of it, a quarter of the radius
+  static constexpr int kBitsOfFraction = 5;  // of the square
   static constexpr std::size_t kBuckets = std::size_t{200} << kBitsOfFraction;
 
   static std::size_t bucket_of(double radius_sq) {
