@@ -18,12 +18,16 @@
 namespace unsliver {
 
 enum class Strategy {
+  kAuto,     ///< kOctree for a constant size without input vertices, else kThrifty
   kLiteral,  ///< the figure to the letter: SC for size, first point found, first in first out
   kThrifty,  ///< same guarantees, fewer vertices: both lattices, fitted unit, chosen candidates
+  kOctree,   ///< closure under parents in place of Figure 5: no angle test, by far the fastest, but where s
+             ///< varies its vertices are more. No input vertices
 };
+const char* to_string(Strategy strategy);
 
 struct MeshOptions {
-  Strategy strategy = Strategy::kThrifty;
+  Strategy strategy = Strategy::kAuto;
   /// What counts as bad. Stricter than 30 / 135 / least_radius_edge() is refused: no theorem backs it.
   double min_dihedral_deg = 30;
   double max_dihedral_deg = 135;
@@ -54,6 +58,7 @@ struct PhaseTime {
 
 /// What happened, for reports. Counts are of events, seconds of wall time.
 struct MeshStats {
+  Strategy strategy = Strategy::kThrifty;  ///< the one used, never kAuto
   std::vector<PhaseTime> phases;
   std::uint64_t size_insertions = 0, quality_insertions = 0;
   std::uint64_t lemma_6_insertions = 0;  ///< Case 2 of Figure 5 with a small circumradius
@@ -99,12 +104,16 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOpt
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                        const MeshOptions& options = {}, const Control& control = {});
 
+/// What kAuto stands for.
+Strategy resolved_strategy(Strategy asked, const Sizing& sizing, bool with_input_vertices);
+
 /// The grading guarantee of Theorem 7: each vertex v is at distance `share` * lfs(v) or more from its nearest
 /// neighbour, lfs taken with the constant c of Definition 2.
 struct GradingGuarantee {
   double c = 0;
-  double share = 0;  ///< 1 / 6.701 for Figure 5, 1 / 109.8 for Figure 8
+  double share = 0;  ///< 1 / 6.701 for Figure 5, 1 / 109.8 for Figure 8; 0 for octrees: none is claimed
 };
+/// Requires: not kAuto.
 GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices = false);
 
 /// A sound lower bound of lfs_s(p) = inf over a in the domain of c s(a) + |pa|, from a lower bound and the

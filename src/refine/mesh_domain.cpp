@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include "octree/octree.hpp"
+#include "refine/criteria.hpp"
 #include "refine/extract.hpp"
 #include "refine/figure_5.hpp"
 #include "refine/figure_8.hpp"
 #include "refine/refinement.hpp"
+#include "unsliver/error.hpp"
 #include "unsliver/refine.hpp"
 
 namespace unsliver {
@@ -20,6 +23,25 @@ const char* to_string(MeshStatus status) {
       return "cancelled";
   }
   return "unknown";
+}
+
+const char* to_string(Strategy strategy) {
+  switch (strategy) {
+    case Strategy::kAuto:
+      return "auto";
+    case Strategy::kLiteral:
+      return "literal";
+    case Strategy::kThrifty:
+      return "thrifty";
+    case Strategy::kOctree:
+      return "octree";
+  }
+  return "unknown";
+}
+
+Strategy resolved_strategy(Strategy asked, const Sizing& sizing, bool with_input_vertices) {
+  if (asked != Strategy::kAuto) return asked;
+  return sizing.lipschitz() == 0 && !with_input_vertices ? Strategy::kOctree : Strategy::kThrifty;
 }
 
 namespace {
@@ -56,15 +78,8 @@ std::vector<std::string> notes_on_inputs(const refine::Refinement& r) {
   return notes;
 }
 
-}  // namespace
-
-MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
-                       const Control& control) {
-  return mesh_domain(domain, sizing, {}, options, control);
-}
-
-MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
-                       const MeshOptions& options, const Control& control) {
+MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                              const MeshOptions& options, const Control& control) {
   MeshResult result;
   refine::Refinement refinement(domain, sizing, inputs, options, control);
   result.notes = notes_on_inputs(refinement);
@@ -78,6 +93,58 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
   refinement.finish_phases();
   result.stats = refinement.stats();
   copy_counts(refinement, result.stats);
+  return result;
+}
+
+MeshStatus status_of(octree::OctreeStatus status) {
+  switch (status) {
+    case octree::OctreeStatus::kDone:
+      return MeshStatus::kDone;
+    case octree::OctreeStatus::kTetCap:
+      return MeshStatus::kTetCap;
+    case octree::OctreeStatus::kMemoryCap:
+      return MeshStatus::kMemoryCap;
+    case octree::OctreeStatus::kCancelled:
+      break;
+  }
+  return MeshStatus::kCancelled;
+}
+
+MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
+                          const Control& control) {
+  refine::quality_bounds(options, false);  // refuses what no theorem backs
+  octree::OctreeOptions limits;
+  limits.max_tets = options.max_tets;
+  limits.max_bytes = options.max_memory_bytes;
+  octree::OctreeResult made = octree::mesh_domain_octree(domain, sizing, limits, control);
+  MeshResult result;
+  result.status = status_of(made.status);
+  result.mesh = std::move(made.mesh);
+  for (const auto& phase : made.stats.phases) result.stats.phases.push_back({phase.name, phase.seconds});
+  result.stats.total_vertices = result.mesh.points.size();
+  result.stats.total_tets = result.mesh.tets.size();
+  result.stats.peak_bytes = made.stats.peak_bytes;
+  result.stats.domain_tests = made.stats.domain_tests;
+  return result;
+}
+
+}  // namespace
+
+MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
+                       const Control& control) {
+  return mesh_domain(domain, sizing, {}, options, control);
+}
+
+MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                       const MeshOptions& options, const Control& control) {
+  MeshOptions resolved = options;
+  resolved.strategy = resolved_strategy(options.strategy, sizing, !inputs.empty());
+  const bool octree = resolved.strategy == Strategy::kOctree;
+  if (octree && !inputs.empty())
+    throw Error(ErrorCode::kBadOption, "the octree strategy knows no input vertices: use thrifty or literal");
+  MeshResult result = octree ? mesh_by_octree(domain, sizing, resolved, control)
+                             : mesh_by_refinement(domain, sizing, inputs, resolved, control);
+  result.stats.strategy = resolved.strategy;
   return result;
 }
 

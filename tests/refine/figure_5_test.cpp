@@ -92,31 +92,50 @@ void expect_verified(const Job& job, const TetMesh& mesh, Strategy strategy) {
   for (const Finding& finding : report.findings) ADD_FAILURE() << finding.check << ": " << finding.message;
 }
 
+MeshOptions with(Strategy strategy) {
+  MeshOptions options;
+  options.strategy = strategy;
+  return options;
+}
+
 TEST(Figure5, ThriftyKeepsEveryGuarantee) {
   for (const Job& job : jobs()) {
     SCOPED_TRACE(job.name);
-    const MeshResult result = mesh_domain(*job.domain, *job.size);
+    const MeshResult result = mesh_domain(*job.domain, *job.size, with(Strategy::kThrifty));
     EXPECT_EQ(result.status, MeshStatus::kDone);
     expect_verified(job, result.mesh, Strategy::kThrifty);
   }
 }
 
 TEST(Figure5, LiteralKeepsEveryGuarantee) {
-  MeshOptions options;
-  options.strategy = Strategy::kLiteral;
   for (const Job& job : jobs()) {
     SCOPED_TRACE(job.name);
-    expect_verified(job, mesh_domain(*job.domain, *job.size, options).mesh, Strategy::kLiteral);
+    const MeshResult result = mesh_domain(*job.domain, *job.size, with(Strategy::kLiteral));
+    expect_verified(job, result.mesh, Strategy::kLiteral);
   }
+}
+
+TEST(Figure5, OctreesKeepEveryGuaranteeToo) {
+  for (const Job& job : jobs()) {
+    SCOPED_TRACE(job.name);
+    const MeshResult result = mesh_domain(*job.domain, *job.size, with(Strategy::kOctree));
+    EXPECT_EQ(result.stats.strategy, Strategy::kOctree);
+    expect_verified(job, result.mesh, Strategy::kOctree);
+  }
+}
+
+TEST(Figure5, AutoTakesOctreesForConstantSizes) {
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  EXPECT_EQ(mesh_domain(*ball, *constant_size(0.2)).stats.strategy, Strategy::kOctree);
+  const SizingPtr graded = graded_from_points({{0, 0, 1}}, {0.1}, 0.2, 1);
+  EXPECT_EQ(mesh_domain(*ball, *graded).stats.strategy, Strategy::kThrifty);
 }
 
 TEST(Figure5, ThriftyNeedsFewerVerticesThanLiteral) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
-  MeshOptions literal;
-  literal.strategy = Strategy::kLiteral;
   for (const SizingPtr& size : {constant_size(0.1), graded_from_points({{0, 0, 1}}, {0.03}, 0.2, 1e300)}) {
-    const std::size_t thrifty_count = mesh_domain(*ball, *size).mesh.points.size();
-    const std::size_t literal_count = mesh_domain(*ball, *size, literal).mesh.points.size();
+    const std::size_t thrifty_count = mesh_domain(*ball, *size, with(Strategy::kThrifty)).mesh.points.size();
+    const std::size_t literal_count = mesh_domain(*ball, *size, with(Strategy::kLiteral)).mesh.points.size();
     EXPECT_LT(thrifty_count, 0.8 * static_cast<double>(literal_count)) << size->describe();
   }
 }
@@ -134,13 +153,17 @@ TEST(Figure5, ConstantSizeInALargeBallComesNearTheThinnestCovering) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
   const double s = 0.03;
   const double ideal = 4.18879 / (2.862 * s * s * s);
-  const double used = static_cast<double>(mesh_domain(*ball, *constant_size(s)).mesh.points.size());
-  EXPECT_LT(used / ideal, 1.25);
-  EXPECT_GT(used / ideal, 0.95);
+  for (const Strategy strategy : {Strategy::kThrifty, Strategy::kOctree}) {
+    const TetMesh mesh = mesh_domain(*ball, *constant_size(s), with(strategy)).mesh;
+    const double used = static_cast<double>(mesh.points.size());
+    EXPECT_LT(used / ideal, 1.25) << to_string(strategy);
+    EXPECT_GT(used / ideal, 0.95) << to_string(strategy);
+  }
 }
 
 TEST(Figure5, LatticeTiesStayInTheCheapExactStage) {
-  const MeshStats stats = mesh_domain(*make_ball({0, 0, 0}, 1), *constant_size(0.06)).stats;
+  const DomainPtr ball = make_ball({0, 0, 0}, 1);
+  const MeshStats stats = mesh_domain(*ball, *constant_size(0.06), with(Strategy::kThrifty)).stats;
   EXPECT_GT(stats.insphere_tie, 10000u);
   EXPECT_EQ(stats.insphere_wide, 0u);
 }
@@ -183,7 +206,7 @@ TEST(Figure5, RefusesDemandsThatNoTheoremBacks) {
 
 TEST(Figure5, ACapEndsTheRunWithAValidMesh) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
-  MeshOptions options;
+  MeshOptions options = with(Strategy::kThrifty);
   options.max_tets = 5000;
   const MeshResult result = mesh_domain(*ball, *constant_size(0.02), options);
   EXPECT_EQ(result.status, MeshStatus::kTetCap);
@@ -196,17 +219,16 @@ TEST(Figure5, CancelIsHeardSoon) {
   int polls = 0;
   Control control;
   control.cancelled = [&] { return ++polls >= 3; };
-  EXPECT_EQ(mesh_domain(*ball, *constant_size(0.02), {}, control).status, MeshStatus::kCancelled);
+  const MeshOptions options = with(Strategy::kThrifty);
+  EXPECT_EQ(mesh_domain(*ball, *constant_size(0.02), options, control).status, MeshStatus::kCancelled);
   EXPECT_EQ(polls, 3);
 }
 
 TEST(Figure5, ASizeThatIsNotPositiveInsideIsReportedWithItsPlace) {
   const DomainPtr box = make_box({{0, 0, 0}, {1, 1, 1}});
-  for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty}) {
-    MeshOptions options;
-    options.strategy = strategy;
+  for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty, Strategy::kOctree}) {
     try {
-      mesh_domain(*box, *expression_size("x - 0.25", box->bounds()), options);
+      mesh_domain(*box, *expression_size("x - 0.25", box->bounds()), with(strategy));
       ADD_FAILURE() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadInput) << error.what();
@@ -217,7 +239,8 @@ TEST(Figure5, ASizeThatIsNotPositiveInsideIsReportedWithItsPlace) {
 TEST(Figure5, ASizeThatDoublesCannotResolveIsRefused) {
   const DomainPtr far = make_ball({1e9, 0, 0}, 1);
   const SizingPtr tiny = graded_from_points({{1e9, 0, 0}}, {1e-9}, 0.5, 1e300);
-  EXPECT_THROW(mesh_domain(*far, *tiny), Error);
+  for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty, Strategy::kOctree})
+    EXPECT_THROW(mesh_domain(*far, *tiny, with(strategy)), Error) << to_string(strategy);
 }
 
 TEST(Estimate, IsGoodToAFactorOfTwo) {
