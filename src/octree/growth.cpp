@@ -96,6 +96,10 @@ class Growth {
 
 }  // namespace
 
+Box3 in_world(const Box3& box, const lattice::World& world) {
+  return {world.to_world_real(box.lo), world.to_world_real(box.hi)};
+}
+
 Brick brick_around(const Box3& box) {
   Brick brick{};
   brick.exponent = std::max(1, std::ilogb(box.longest_side()) + 1);

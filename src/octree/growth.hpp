@@ -8,6 +8,9 @@
 
 namespace unsliver::octree {
 
+/// A box of the caller's, in world units, not rounded.
+Box3 in_world(const Box3& box, const lattice::World& world);
+
 /// Cubes at least as large as the box, aligned to their own lattice, that cover the box (world units) and one
 /// more layer around it.
 Brick brick_around(const Box3& box);

@@ -18,14 +18,9 @@ namespace {
 using lattice::kHalfSqrt3;
 using lattice::kQuarterSqrt5;
 
-/// The guarantee is proved for (1 - kSizeSlack) s, so that no rounding can break it for s.
-constexpr double kSizeSlack = 1e-6;
 constexpr double kRounding = 1e-12;
 /// Above this Lipschitz constant the deep test asks for too much.
 constexpr double kGentle = 0.4;
-/// A lower bound of s below this share of the domain comes from places outside the domain, where s may be
-/// anything.
-constexpr double kUnknownSize = 1e-12;
 /// See the header: sqrt(1.5^2 + 0.5^2 + 0.5^2) + 2, rounded up.
 constexpr double kDeepReach = 3.67;
 /// Boxes are halved this often before a leaf counts as too large.
@@ -60,15 +55,6 @@ double distance_to_leaf_sq(const Vec3& center, double half) {
 
 }  // namespace
 
-// With the deep test's surcharge: where the least size is taken a unit without it would be one whole level
-// too coarse.
-double fit_radius(const Domain& domain, const Sizing& sizing) {
-  const double s = sizing.lower_bound(domain.bounds()), lipschitz = sizing.lipschitz();
-  if (!std::isfinite(s) || s <= kUnknownSize * domain.bounds().diagonal()) return 0;
-  const double surcharge = lipschitz <= kGentle ? hole_share(lipschitz) / kQuarterSqrt5 : 1;
-  return (1 - kSizeSlack) * s / surcharge;
-}
-
 LeafTest::LeafTest(const Domain& domain, const Sizing& sizing, const lattice::World& world)
     : domain_(domain),
       sizing_(sizing),
@@ -76,7 +62,7 @@ LeafTest::LeafTest(const Domain& domain, const Sizing& sizing, const lattice::Wo
       bounds_(domain.bounds()),
       unit_(world.unit()),
       lipschitz_(sizing.lipschitz()),
-      least_((1 - kSizeSlack) * sizing.lower_bound(bounds_)),
+      least_(kSizeShare * sizing.lower_bound(bounds_)),
       plain_share_(plain_share(lipschitz_)),
       hole_share_(hole_share(lipschitz_)) {}
 
@@ -109,7 +95,10 @@ Verdict LeafTest::judge_deep(const Cell& cell) {
   if (size >= plain_share_ * h) return Verdict::kPlain;
   if (size - lipschitz_ * kQuarterSqrt5 * h >= hole_share_ * h) return Verdict::kWithCenter;
   if (size + lipschitz_ * kQuarterSqrt5 * h < hole_share_ * h) return Verdict::kSplit;
-  return holes_covered(center, h) ? Verdict::kWithCenter : Verdict::kSplit;
+  const Vec3 half{0.5 * h, 0.5 * h, 0.5 * h};
+  const bool covered =
+      size_over({center - half, center + half}) >= kQuarterSqrt5 * h || holes_covered(center, h);
+  return covered ? Verdict::kWithCenter : Verdict::kSplit;
 }
 
 bool LeafTest::holes_covered(const Vec3& center, double h) {
@@ -173,7 +162,7 @@ bool LeafTest::refuted_by_center(const Box& box, int side, const Vec3& x, double
 
 double LeafTest::size_at(const Vec3& x) {
   ++counts_.size_evaluations;
-  return (1 - kSizeSlack) * sizing_.at(x);
+  return kSizeShare * sizing_.at(x);
 }
 
 /// A lower bound over the part of the box in the domain's bounds; infinite if there is none.
@@ -185,7 +174,7 @@ double LeafTest::size_over(const Box3& box) {
   }
   if (part.empty()) return std::numeric_limits<double>::infinity();
   ++counts_.size_evaluations;
-  return (1 - kSizeSlack) * sizing_.lower_bound(part);
+  return kSizeShare * sizing_.lower_bound(part);
 }
 
 int LeafTest::side_of_ball(const Vec3& x, double radius) {

@@ -28,10 +28,6 @@
 
 namespace unsliver::octree {
 
-/// The radius that the world's unit is to be fitted to, so that the leaves of the least size just pass; 0 if
-/// there is nothing to fit.
-double fit_radius(const Domain& domain, const Sizing& sizing);
-
 enum class Verdict { kSplit, kWithCenter, kPlain };
 
 struct LeafTestCounts {
@@ -46,6 +42,9 @@ struct LeafTestCounts {
 /// Counts, so that threads need copies of their own.
 class LeafTest {
  public:
+  /// The guarantee is enforced for this share of s, so that no rounding can break it for s.
+  static constexpr double kSizeShare = 1 - 1e-6;
+
   /// The arguments must outlive the test.
   LeafTest(const Domain& domain, const Sizing& sizing, const lattice::World& world);
 

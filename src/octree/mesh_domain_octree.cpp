@@ -4,6 +4,7 @@
 #include "lattice/world.hpp"
 #include "octree/balance.hpp"
 #include "octree/emission.hpp"
+#include "octree/fit.hpp"
 #include "octree/growth.hpp"
 #include "octree/octree.hpp"
 #include "unsliver/error.hpp"
@@ -12,10 +13,6 @@ namespace unsliver::octree {
 namespace {
 
 constexpr auto kReportInterval = std::chrono::milliseconds(100);
-
-Box3 in_world(const Box3& box, const lattice::World& world) {
-  return {world.to_world_real(box.lo), world.to_world_real(box.hi)};
-}
 
 /// Thrown to end a run early.
 struct Stopped {

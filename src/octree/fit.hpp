@@ -1,0 +1,15 @@
+/// \file
+/// Which unit suits a size: leaves come in sides of unit * 2^k, and rounding s down to them costs vertices.
+#pragma once
+
+#include "unsliver/domain.hpp"
+#include "unsliver/sizing.hpp"
+
+namespace unsliver::octree {
+
+/// The radius for lattice::World::fit. For constant s it costs no rounding at all; else the one of a dozen in
+/// an octave that needs the fewest vertices, judged by the leaves at some sample points. 0 if the least size
+/// is not known.
+double fit_radius(const Domain& domain, const Sizing& sizing);
+
+}  // namespace unsliver::octree
