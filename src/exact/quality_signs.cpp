@@ -129,18 +129,19 @@ bool is_bad_shape(const AnyShape& shape, const QualityBounds& bounds) {
 enum class Verdict { kGood, kBad, kUnknown };
 
 Verdict filtered_verdict(const DoubleShape& shape, double scale, const QualityBounds& bounds) {
+  const double ratio = shape.ratio_excess(Coefficients<double>(bounds.max_radius_edge));
+  const double ratio_error = kRatioError * size_of(bounds.max_radius_edge) * scale;
+  if (ratio > ratio_error) return Verdict::kBad;
   const Coefficients<double> min(bounds.min_dihedral), max(bounds.max_dihedral);
   double below = -std::numeric_limits<double>::infinity(), above = below;
   shape.for_each_pair([&](const FacePair<double>& pair) {
     below = std::max(below, -pair.excess(min));
     above = std::max(above, pair.excess(max));
   });
-  const double ratio = shape.ratio_excess(Coefficients<double>(bounds.max_radius_edge));
   const double below_error = kAngleError * size_of(bounds.min_dihedral) * scale;
   const double above_error = kAngleError * size_of(bounds.max_dihedral) * scale;
-  const double ratio_error = kRatioError * size_of(bounds.max_radius_edge) * scale;
   if (below < -below_error && above < -above_error && ratio < -ratio_error) return Verdict::kGood;
-  if (below > below_error || above > above_error || ratio > ratio_error) return Verdict::kBad;
+  if (below > below_error || above > above_error) return Verdict::kBad;
   return Verdict::kUnknown;
 }
 
