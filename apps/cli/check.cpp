@@ -2,6 +2,7 @@
 /// `unsliver check`: an independent judgement of anybody's tetrahedral mesh.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "terminal.hpp"
 #include "text.hpp"
 #include "unsliver/io.hpp"
+#include "unsliver/refine.hpp"
 
 namespace unsliver::cli {
 namespace {
@@ -37,10 +39,20 @@ struct CheckOptions {
   bool quiet = false;
 };
 
+/// Meshes of unsliver carry their lattice.
+bool is_ours(const TetMesh& mesh) { return mesh.frame.has_value() && !mesh.levels.empty(); }
+
+/// Level 0 is no lattice's.
+bool has_input_vertices(const TetMesh& mesh) {
+  return std::find(mesh.levels.begin(), mesh.levels.end(), 0) != mesh.levels.end();
+}
+
 /// What the mesh is held to: what was asked for, else what meshes of ours promise, else nothing.
-std::optional<QualityGuarantee> guarantee(const CheckOptions& options, bool ours) {
+std::optional<QualityGuarantee> guarantee(const CheckOptions& options, const TetMesh& mesh) {
+  const bool ours = is_ours(mesh);
   if (!ours && !options.min_angle && !options.max_angle && !options.max_radius_edge) return std::nullopt;
   QualityGuarantee held;
+  held.max_radius_edge = least_radius_edge(has_input_vertices(mesh));
   if (!ours) held = {0, 180, std::numeric_limits<double>::infinity()};
   held.min_dihedral_deg = options.min_angle.value_or(held.min_dihedral_deg);
   held.max_dihedral_deg = options.max_angle.value_or(held.max_dihedral_deg);
@@ -77,8 +89,8 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   report.against = options.against;
   report.vertices = mesh.points.size();
   for (const Vec3& p : mesh.points) report.bounds.extend(p);
-  report.ours = mesh.frame.has_value() && !mesh.levels.empty();
-  report.held_to = guarantee(options, report.ours);
+  report.ours = is_ours(mesh);
+  report.held_to = guarantee(options, mesh);
   report.quality = summarize_quality(mesh, options.worst);
 
   VerifyOptions verify_options;

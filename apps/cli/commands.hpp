@@ -15,6 +15,7 @@ struct Command {
 };
 
 Command add_mesh(CLI::App& app);
+Command add_refine(CLI::App& app);
 Command add_check(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_info(CLI::App& app);

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "files.hpp"
 #include "text.hpp"
+#include "union_of_tets.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/io.hpp"
 
@@ -17,23 +20,86 @@ Box3 parse_box(const std::string& text, const std::string& option) {
 
 DomainSource from_file(const std::string& path) {
   check_readable(path);
-  DomainSource source{"surface", path, nullptr, io::read_surface(path)};
+  DomainSource source{.kind = "surface", .label = path, .surface = io::read_surface(path)};
   source.domain = make_surface(*source.surface);
   return source;
 }
 
 DomainSource from_ball(const std::string& text) {
   const auto n = parse_numbers(text, 4, "--ball");
-  return {"ball", "ball " + text, make_ball({n[0], n[1], n[2]}, n[3]), std::nullopt};
+  return {.kind = "ball", .label = "ball " + text, .domain = make_ball({n[0], n[1], n[2]}, n[3])};
+}
+
+DomainSource from_points(const InputVertices& inputs) {
+  DomainSource source{.kind = "points", .label = inputs.file};
+  source.domain = make_box(box_with_volume(inputs.set.points, source.notes));
+  return source;
+}
+
+std::set<std::int32_t> regions_of(const TetMesh& mesh) { return {mesh.regions.begin(), mesh.regions.end()}; }
+
+/// What a mesh has and its refinement does not keep, or what is odd about it.
+std::vector<std::string> notes_on(const TetMesh& mesh, const QualitySummary& quality, std::size_t used) {
+  std::vector<std::string> notes;
+  if (used < mesh.points.size())
+    notes.push_back(fmt::format("left out: {} of {} vertices, which are in no tetrahedron",
+                                with_separators(mesh.points.size() - used),
+                                with_separators(mesh.points.size())));
+  if (quality.inverted + quality.flat > 0)
+    notes.push_back(fmt::format("{} of {} tetrahedra are inverted, {} flat",
+                                with_separators(quality.inverted), with_separators(quality.tets),
+                                with_separators(quality.flat)));
+  if (const std::size_t regions = regions_of(mesh).size(); regions > 1)
+    notes.push_back(fmt::format("the result has no regions: the union of all {} is refined", regions));
+  return notes;
+}
+
+InputVertices vertices_of(const std::string& path, const TetMesh& mesh) {
+  InputVertices inputs{path, {}, used_vertices(mesh)};
+  for (const VertexId v : inputs.ids) inputs.set.points.push_back(mesh.points[v]);
+  if (inputs.ids.size() == mesh.points.size()) inputs.ids.clear();
+  return inputs;
+}
+
+DomainSource from_tets(const std::string& path) {
+  check_readable(path);
+  const TetMesh mesh = io::read_tet_mesh(path);
+  DomainSource source{.kind = "tetrahedra", .label = path, .surface = boundary_surface(mesh)};
+  source.surface->name = path;
+  source.inputs = vertices_of(path, mesh);
+  source.before = summarize_quality(mesh);
+  source.notes = notes_on(mesh, *source.before, source.inputs->count());
+  source.domain = make_surface(*source.surface);
+  return source;
+}
+
+DomainSource named_domain(const DomainRequest& request) {
+  if (request.surface_file) return from_file(*request.surface_file);
+  if (request.mesh_file) return from_tets(*request.mesh_file);
+  if (request.ball) return from_ball(*request.ball);
+  if (request.box)
+    return {
+        .kind = "box", .label = "box " + *request.box, .domain = make_box(parse_box(*request.box, "--box"))};
+  return {.kind = "implicit",
+          .label = *request.implicit + " <= 0",
+          .domain = make_implicit(*request.implicit, parse_box(*request.bounds, "--bounds"))};
+}
+
+/// Of the ways to say where to mesh.
+int count_named(const DomainRequest& r) {
+  int count = 0;
+  for (const auto* name : {&r.surface_file, &r.box, &r.ball, &r.implicit, &r.mesh_file})
+    count += name->has_value();
+  return count;
 }
 
 }  // namespace
 
 void check_domain_request(const DomainRequest& request) {
-  const int count = int{request.surface_file.has_value()} + int{request.box.has_value()} +
-                    int{request.ball.has_value()} + int{request.implicit.has_value()};
-  if (count == 0)
-    throw Error(ErrorCode::kBadOption, "nothing to mesh: give a surface file, --box, --ball or --implicit");
+  const int count = count_named(request);
+  if (count == 0 && !request.points_file)
+    throw Error(ErrorCode::kBadOption,
+                "nothing to mesh: give a surface file, --box, --ball, --implicit or --points");
   if (count > 1)
     throw Error(ErrorCode::kBadOption,
                 fmt::format("{} inputs: give one of a surface file, --box, --ball and --implicit", count));
@@ -43,13 +109,19 @@ void check_domain_request(const DomainRequest& request) {
     throw Error(ErrorCode::kBadOption, "--bounds has no effect without --implicit");
 }
 
+std::vector<std::string> all_notes(const DomainSource& source) {
+  std::vector<std::string> notes = source.notes;
+  const std::vector<std::string> more = source.domain->notes();
+  notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
+}
+
 DomainSource make_domain(const DomainRequest& request) {
-  if (request.surface_file) return from_file(*request.surface_file);
-  if (request.ball) return from_ball(*request.ball);
-  if (request.box)
-    return {"box", "box " + *request.box, make_box(parse_box(*request.box, "--box")), std::nullopt};
-  return {"implicit", *request.implicit + " <= 0",
-          make_implicit(*request.implicit, parse_box(*request.bounds, "--bounds")), std::nullopt};
+  if (!request.points_file) return named_domain(request);
+  InputVertices inputs = read_input_vertices(*request.points_file);
+  DomainSource source = count_named(request) == 0 ? from_points(inputs) : named_domain(request);
+  source.inputs = std::move(inputs);
+  return source;
 }
 
 }  // namespace unsliver::cli

@@ -1,26 +1,38 @@
 /// \file
-/// From the command line to a domain.
+/// From the command line to a domain, and to the points that are to be vertices of its mesh.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "input_vertices.hpp"
 #include "unsliver/domain.hpp"
+#include "unsliver/quality.hpp"
 
 namespace unsliver::cli {
 
-/// The ways to say where to mesh, as typed. Exactly one of the first four.
+/// The ways to say where to mesh, as typed. One of the first five; none is needed beside points.
 struct DomainRequest {
   std::optional<std::string> surface_file, box, ball, implicit;
-  std::optional<std::string> bounds;  ///< with implicit, and only there
+  std::optional<std::string> mesh_file;    ///< tetrahedra: their union, and their vertices as points
+  std::optional<std::string> bounds;       ///< with implicit, and only there
+  std::optional<std::string> points_file;  ///< alone: their bounding box is meshed
+
+  bool has_inputs() const { return mesh_file || points_file; }
 };
 
 struct DomainSource {
-  std::string kind;   ///< "surface", "box", "ball" or "implicit"
+  std::string kind;   ///< "surface", "box", "ball", "implicit", "points" or "tetrahedra"
   std::string label;  ///< what the report calls the input: a file, "box 0 0 0 1 1 1", ...
-  DomainPtr domain;
-  std::optional<TriangleMesh> surface;
+  DomainPtr domain = nullptr;
+  std::optional<TriangleMesh> surface = std::nullopt;   ///< the boundary, where it is triangles
+  std::optional<InputVertices> inputs = std::nullopt;   ///< what must be vertices of the mesh
+  std::optional<QualitySummary> before = std::nullopt;  ///< of the tetrahedra given
+  std::vector<std::string> notes = {};                  ///< on how the domain was made of the input
 };
+
+/// The source's own and the domain's.
+std::vector<std::string> all_notes(const DomainSource& source);
 
 /// \throws Error kBadOption unless exactly one way was chosen.
 void check_domain_request(const DomainRequest& request);

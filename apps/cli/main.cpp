@@ -16,6 +16,8 @@ constexpr const char* kAbout =
 constexpr const char* kExamples = R"text(Examples:
   unsliver mesh spot.obj -o spot.vtu --size 0.02
   unsliver mesh --ball "0 0 0 1" -o ball.msh --edge-length 0.1
+  unsliver mesh --points atoms.pqr -o atoms.vtu
+  unsliver refine old.msh -o new.msh
   unsliver check spot.vtu --against spot.obj
   unsliver view spot.vtu -o spot.png
   unsliver mesh --help
@@ -56,7 +58,8 @@ ExitCode run(int argc, char** argv) {
   app.set_version_flag("--version", "unsliver " UNSLIVER_VERSION);
   app.require_subcommand(1);
   app.footer(kExamples);
-  const std::array commands = {add_mesh(app), add_check(app), add_convert(app), add_info(app), add_view(app)};
+  const std::array commands = {add_mesh(app),    add_refine(app), add_check(app),
+                               add_convert(app), add_info(app),   add_view(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help and --version

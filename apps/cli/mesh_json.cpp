@@ -14,8 +14,24 @@ Json input_json(const DomainSource& source) {
   }
   json["domain"] = source.domain->describe();
   json["bounds"] = to_json(source.domain->bounds());
-  json["notes"] = source.domain->notes();
+  json["notes"] = all_notes(source);
   return json;
+}
+
+Json points_json(const MeshReport& report) {
+  if (!report.source || !report.source->inputs) return nullptr;
+  const InputVertices& inputs = *report.source->inputs;
+  return {{"file", inputs.file},
+          {"count", inputs.count()},
+          {"with_sizes", !inputs.set.sizes.empty()},
+          {"notes", inputs.set.notes}};
+}
+
+Json before_json(const MeshReport& report) {
+  if (!report.source || !report.source->before) return nullptr;
+  return {{"vertices", report.source->inputs->count()},
+          {"tets", report.source->before->tets},
+          {"quality", to_json(*report.source->before)}};
 }
 
 Json size_json(const SizeSource& size) {
@@ -29,7 +45,7 @@ Json size_json(const SizeSource& size) {
 }
 
 Json options_json(const MeshOptions& options) {
-  return {{"strategy", options.strategy == Strategy::kLiteral ? "literal" : "thrifty"},
+  return {{"strategy", to_string(options.strategy)},
           {"min_dihedral_deg", options.min_dihedral_deg},
           {"max_dihedral_deg", options.max_dihedral_deg},
           {"max_radius_edge", options.max_radius_edge},
@@ -44,10 +60,19 @@ Json estimate_json(const SizeEstimate& estimate) {
           {"ideal_vertices", estimate.ideal_vertices}};
 }
 
+Json subcases_json(const MeshStats& stats) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kSubcaseNames.size(); ++i) json[kSubcaseNames[i]] = stats.figure_8[i];
+  return json;
+}
+
 Json stats_json(const MeshStats& stats) {
-  return {{"size_insertions", stats.size_insertions},
+  return {{"strategy", to_string(stats.strategy)},
+          {"size_insertions", stats.size_insertions},
           {"quality_insertions", stats.quality_insertions},
           {"lemma_6_insertions", stats.lemma_6_insertions},
+          {"figure_8", subcases_json(stats)},
+          {"candidates", stats.candidates},
           {"total_vertices", stats.total_vertices},
           {"total_tets", stats.total_tets},
           {"peak_bytes", stats.peak_bytes},
@@ -134,17 +159,20 @@ Json json_head(const std::string& command, ExitCode exit_code) {
 }
 
 Json to_json(const MeshReport& report) {
-  Json json = json_head("mesh", report.exit_code);
+  Json json = json_head(report.command, report.exit_code);
   const auto plain = [](const auto& value) { return to_json(value); };
   json["status"] = report.status;
   json["guaranteed"] = report.guaranteed();
   json["output"] = report.output.empty() ? Json(nullptr) : Json(report.output);
   json["input"] = optional_json(report.source, input_json);
+  json["points"] = points_json(report);
+  json["before"] = before_json(report);
   json["size"] = optional_json(report.size, size_json);
   json["options"] = options_json(report.options);
   json["estimate"] = optional_json(report.estimate, estimate_json);
   json["mesh"] = optional_json(report.counts, [](const MeshCounts& counts) {
     return Json{{"vertices", counts.vertices},
+                {"input_vertices", counts.input_vertices},
                 {"tets", counts.tets},
                 {"boundary_triangles", counts.boundary_triangles}};
   });

@@ -17,6 +17,12 @@ void add_domain_options(CLI::App& parser, DomainRequest& domain) {
       ->group("What to mesh (one)");
   parser.add_option("--bounds", domain.bounds, "\"x0 y0 z0 x1 y1 z1\": where to look, with --implicit")
       ->group("What to mesh (one)");
+  parser
+      .add_option("--points", domain.points_file,
+                  "points that become vertices of the mesh: .xyz .csv .pqr .node,\n"
+                  "or the vertices of any surface or mesh file. With one of the\n"
+                  "above, or alone: the points' bounding box is meshed")
+      ->group("What to mesh (one)");
 }
 
 void add_size_options(CLI::App& parser, SizeRequest& size) {
@@ -25,7 +31,7 @@ void add_size_options(CLI::App& parser, SizeRequest& size) {
       .add_option("--size", size.size,
                   "length or formula s(x, y, z), a ball radius: every ball\n"
                   "B(p, s(p)) about a point of the domain holds a vertex.\n"
-                  "Default: diagonal of the domain / 40")
+                  "Default: diagonal of the domain / 40; with points, none")
       ->group(group);
   parser
       .add_option("--edge-length", size.edge_length,
@@ -40,11 +46,14 @@ void add_size_options(CLI::App& parser, SizeRequest& size) {
       ->group(group);
   parser
       .add_option("--size-gradation", size.gradation,
-                  "g: constant sizes grow away from the surface as\n"
-                  "s + g * distance; formulas and size meshes are lowered\n"
-                  "where they change faster than g")
+                  fmt::format("g: constant sizes grow away from the surface as\n"
+                              "s + g * distance, without one from the points; the\n"
+                              "sizes of points likewise (default {}); formulas and\n"
+                              "size meshes are lowered where they change faster",
+                              kDefaultGradation))
       ->group(group);
-  parser.add_option("--size-max", size.size_max, "cap of the size that grows away from the surface")
+  parser
+      .add_option("--size-max", size.size_max, "cap of the size that grows away from the surface or points")
       ->group(group);
 }
 
@@ -60,12 +69,15 @@ void add_quality_options(CLI::App& parser, MeshCommandOptions& options) {
       ->group(group);
   parser
       .add_option("--max-radius-edge", options.max_radius_edge,
-                  "circumradius / shortest edge, at least sqrt(5)/2 (the default)")
+                  "circumradius / shortest edge: at least sqrt(5)/2, with\n"
+                  "points 1.368 (the defaults)")
       ->group(group);
   parser
       .add_option("--strategy", options.strategy,
-                  "thrifty (default: fewer vertices) or literal (the paper's\nfigure to the letter)")
-      ->check(CLI::IsMember({"thrifty", "literal"}))
+                  "thrifty: few vertices; literal: the paper's figures to the\n"
+                  "letter; octree: fastest, for sizes that vary little, without\n"
+                  "points. Default auto: octree for a constant size, else thrifty")
+      ->check(CLI::IsMember({"auto", "thrifty", "literal", "octree"}))
       ->group(group);
   parser.add_flag("--no-verify", options.no_verify, "skip the independent exact check at the end")
       ->group(group);
@@ -93,6 +105,13 @@ void add_output_options(CLI::App& parser, MeshCommandOptions& options) {
   parser.add_flag("--quiet", options.quiet, "print errors only");
 }
 
+void add_shared_options(CLI::App& parser, MeshCommandOptions& options) {
+  add_output_options(parser, options);
+  add_size_options(parser, options.size);
+  add_quality_options(parser, options);
+  add_limit_options(parser, options);
+}
+
 /// `value` must lie between `loosest` and `strictest`, in either order; NaN does not.
 void check_bound(const char* option, double value, double strictest, double loosest) {
   const double low = std::min(strictest, loosest), high = std::max(strictest, loosest);
@@ -109,11 +128,25 @@ void check_angles(const MeshOptions& mesh) {
 }
 
 /// The bound to use, the least that is proven where none was typed.
-double radius_edge_bound(const std::optional<double>& typed) {
-  const double least = least_radius_edge(false);
+double radius_edge_bound(const std::optional<double>& typed, bool with_inputs) {
+  const double least = least_radius_edge(with_inputs);
   if (!typed || *typed >= least) return typed.value_or(least);
   throw Error(ErrorCode::kBadOption,
-              fmt::format("--max-radius-edge is {}: no less than {} (sqrt(5)/2) is proven", *typed, least));
+              fmt::format("--max-radius-edge is {}: no less than {} is proven", *typed,
+                          with_inputs ? "1.368, beside points," : fmt::format("{} (sqrt(5)/2)", least)));
+}
+
+/// An octree run that is ended early has no mesh to keep.
+Strategy strategy_of(const MeshCommandOptions& options) {
+  Strategy strategy = Strategy::kAuto;
+  for (const Strategy named : {Strategy::kThrifty, Strategy::kLiteral, Strategy::kOctree})
+    if (options.strategy == to_string(named)) strategy = named;
+  if (strategy == Strategy::kOctree && options.keep_partial)
+    throw Error(ErrorCode::kBadOption,
+                "--keep-partial has no effect with --strategy octree, which has no mesh until its end");
+  if (strategy == Strategy::kOctree && options.domain.has_inputs())
+    throw Error(ErrorCode::kBadOption, "--strategy octree knows no points: use thrifty or literal");
+  return strategy == Strategy::kAuto && options.keep_partial ? Strategy::kThrifty : strategy;
 }
 
 }  // namespace
@@ -132,24 +165,29 @@ void check_write_options(const std::string& output, const io::WriteOptions& writ
 
 void add_mesh_options(CLI::App& parser, MeshCommandOptions& options) {
   add_domain_options(parser, options.domain);
-  add_output_options(parser, options);
-  add_size_options(parser, options.size);
-  add_quality_options(parser, options);
-  add_limit_options(parser, options);
+  add_shared_options(parser, options);
+}
+
+void add_refine_options(CLI::App& parser, MeshCommandOptions& options) {
+  parser.add_option("MESH", options.domain.mesh_file, "mesh file: .vtu .msh .mesh .node .ele")->required();
+  add_shared_options(parser, options);
 }
 
 void check_mesh_files(const MeshCommandOptions& options) {
-  check_distinct({options.output, options.json},
-                 {options.domain.surface_file.value_or(""), options.size.size_mesh.value_or("")});
+  std::vector<std::string> read;
+  for (const auto* path : {&options.domain.surface_file, &options.domain.mesh_file,
+                           &options.domain.points_file, &options.size.size_mesh})
+    read.push_back(path->value_or(""));
+  check_distinct({options.output, options.json}, read);
   if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
 }
 
 void check_mesh_options(MeshCommandOptions& options) {
   check_domain_request(options.domain);
-  check_size_request(options.size, options.domain.surface_file.has_value());
+  check_size_request(options.size);
   check_angles(options.mesh);
-  options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge);
-  if (options.strategy == "literal") options.mesh.strategy = Strategy::kLiteral;
+  options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge, options.domain.has_inputs());
+  options.mesh.strategy = strategy_of(options);
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");
   if (!options.max_memory.empty())
     options.mesh.max_memory_bytes = parse_bytes(options.max_memory, "--max-memory");

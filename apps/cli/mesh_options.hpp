@@ -1,5 +1,6 @@
 /// \file
-/// The options of `unsliver mesh`, checked as far as they can be without reading anything.
+/// The options of `unsliver mesh` and `unsliver refine`, checked as far as they can be without reading
+/// anything.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,7 +17,7 @@ struct MeshCommandOptions {
   DomainRequest domain;
   SizeRequest size;
   MeshOptions mesh;
-  std::string strategy = "thrifty";
+  std::string strategy = "auto";
   std::optional<double> max_radius_edge;  ///< as typed
   std::string max_tets, max_memory;       ///< as typed; empty = none
   std::string output;
@@ -31,7 +32,9 @@ void add_write_options(CLI::App& parser, io::WriteOptions& write);
 /// writable.
 void check_write_options(const std::string& output, const io::WriteOptions& write);
 
+/// Of `unsliver mesh` and of `unsliver refine`.
 void add_mesh_options(CLI::App& parser, MeshCommandOptions& options);
+void add_refine_options(CLI::App& parser, MeshCommandOptions& options);
 
 /// What must hold before even a report of failure may be written: the report has a place, and no file is in
 /// the way of another. \throws Error.

@@ -19,9 +19,11 @@ namespace unsliver::cli {
 
 struct MeshCounts {
   std::size_t vertices = 0, tets = 0, boundary_triangles = 0;
+  std::size_t input_vertices = 0;  ///< of the vertices
 };
 
 struct MeshReport {
+  std::string command = "mesh";  ///< or "refine"
   /// "done", "tet_cap", "memory_cap", "cancelled"; "refused" before the start; "verification_failed";
   /// "error".
   std::string status = "error";

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
+#include <memory>
 
 #include "files.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
 #include "resources.hpp"
 #include "samples.hpp"
+#include "second_nearest.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
 
@@ -32,6 +36,15 @@ bool writes_vtu(const MeshCommandOptions& options) {
   return options.write.format.empty() ? extension_of(options.output) == "vtu" : options.write.format == "vtu";
 }
 
+/// What the vertices beside input points cost, at 30 degrees: roughly, as measured on random points.
+void add_inputs(std::size_t count, Strategy strategy, SizeEstimate& estimate) {
+  const double vertices_per_input = strategy == Strategy::kLiteral ? 130 : 45;
+  const double more = 1 + vertices_per_input * static_cast<double>(count) / estimate.vertices;
+  estimate.vertices *= more;
+  estimate.tets *= more;
+  estimate.bytes *= more;
+}
+
 class MeshRun {
  public:
   MeshRun(const MeshCommandOptions& options, MeshReport& report)
@@ -43,13 +56,17 @@ class MeshRun {
   void prepare();
   void check_limits();
   void generate();
+  MeshResult make_mesh();
+  void count();
   void judge();
   void write();
 
   void settle(const std::string& status, ExitCode code);
   VerifyOptions verify_options() const;
+  std::function<double(const Vec3&)> local_feature_size(double c) const;
   bool can_test_size() const;
   std::vector<Vec3> points_to_cover() const;
+  const std::optional<InputVertices>& inputs() const { return report_.source->inputs; }
 
   template <typename Work>
   void timed(const std::string& name, Work work) {
@@ -73,7 +90,8 @@ void MeshRun::run() {
   check_limits();
   if (options_.keep_partial || !options_.json.empty()) hold_.emplace(interrupts::Hold::For::kOutcome);
   generate();
-  if (!options_.no_verify && result_.status != MeshStatus::kCancelled) timed("verify", [this] { judge(); });
+  const bool has_mesh = result_.status != MeshStatus::kCancelled && !result_.mesh.tets.empty();
+  if (!options_.no_verify && has_mesh) timed("verify", [this] { judge(); });
   const bool wanted = report_.exit_code == ExitCode::kDone ||
                       (report_.exit_code == ExitCode::kLimit && options_.keep_partial);
   if (wanted) timed("write", [this] { write(); });
@@ -92,6 +110,7 @@ void MeshRun::prepare() {
   report_.source = make_domain(options_.domain);
   report_.size = make_sizing(options_.size, *report_.source);
   report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, report_.options);
+  if (inputs()) add_inputs(inputs()->count(), report_.options.strategy, *report_.estimate);
 }
 
 void MeshRun::check_limits() {
@@ -116,14 +135,34 @@ void MeshRun::check_limits() {
 }
 
 void MeshRun::generate() {
-  result_ = mesh_domain(*report_.source->domain, *report_.size->sizing, report_.options, display_.control());
+  result_ = make_mesh();
   display_.clear();
   report_.stats = result_.stats;
   report_.phases.insert(report_.phases.end(), result_.stats.phases.begin(), result_.stats.phases.end());
+  report_.notes.insert(report_.notes.end(), result_.notes.begin(), result_.notes.end());
   settle(to_string(result_.status), result_.status == MeshStatus::kDone ? ExitCode::kDone : ExitCode::kLimit);
   if (result_.status == MeshStatus::kCancelled && !options_.keep_partial) return;
-  report_.counts = {result_.mesh.points.size(), result_.mesh.tets.size(), result_.mesh.triangles.size()};
+  count();
   timed("measure", [this] { report_.quality = summarize_quality(result_.mesh); });
+}
+
+MeshResult MeshRun::make_mesh() {
+  const Domain& domain = *report_.source->domain;
+  const Sizing& sizing = *report_.size->sizing;
+  if (!inputs()) return mesh_domain(domain, sizing, report_.options, display_.control());
+  try {
+    return mesh_domain(domain, sizing, inputs()->set.points, report_.options, display_.control());
+  } catch (const Error& error) {
+    throw with_restored_ids(*inputs(), error);
+  }
+}
+
+void MeshRun::count() {
+  const TetMesh& mesh = result_.mesh;
+  const auto is_input = [](std::int64_t source) { return source >= 0; };
+  const auto inputs = std::count_if(mesh.point_source.begin(), mesh.point_source.end(), is_input);
+  report_.counts = {mesh.points.size(), mesh.tets.size(), mesh.triangles.size(),
+                    static_cast<std::size_t>(inputs)};
 }
 
 std::vector<Vec3> MeshRun::points_to_cover() const {
@@ -149,12 +188,20 @@ VerifyOptions MeshRun::verify_options() const {
   if (result_.status != MeshStatus::kDone) return verify;
   const MeshOptions& asked = report_.options;
   verify.guarantee = {asked.min_dihedral_deg, asked.max_dihedral_deg, asked.max_radius_edge};
-  verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
+  if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
   verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
-  const GradingGuarantee grading = grading_guarantee(asked.strategy);
-  verify.lfs_lower_bound = lfs_lower_bound(*report_.source->domain, *report_.size->sizing, grading.c);
+  const GradingGuarantee grading = grading_guarantee(result_.stats.strategy, inputs().has_value());
+  if (grading.share > 0) verify.lfs_lower_bound = local_feature_size(grading.c);
   verify.grading_constant = grading.share;
   return verify;
+}
+
+/// The smaller of lfs_s, bounded from below, and lfs_i.
+std::function<double(const Vec3&)> MeshRun::local_feature_size(double c) const {
+  auto lfs_s = lfs_lower_bound(*report_.source->domain, *report_.size->sizing, c);
+  if (!inputs()) return lfs_s;
+  const auto lfs_i = std::make_shared<SecondNearest>(inputs()->set.points);
+  return [lfs_s, lfs_i](const Vec3& p) { return std::min(lfs_s(p), lfs_i->distance(p)); };
 }
 
 void MeshRun::judge() {
@@ -165,6 +212,7 @@ void MeshRun::judge() {
   }
   report_.verified = verify(result_.mesh, asked, display_.control());
   display_.clear();
+  if (inputs()) check_inputs(result_.mesh, inputs()->set.points, *report_.verified);
   if (interrupts::requested()) {
     report_.verified.reset();
     settle("unverified", ExitCode::kLimit);
@@ -175,6 +223,7 @@ void MeshRun::judge() {
 
 void MeshRun::write() {
   hold_.emplace(interrupts::Hold::For::kFile);
+  if (inputs()) restore_ids(*inputs(), result_.mesh);
   io::WriteOptions write = options_.write;
   if (writes_vtu(options_)) write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
   io::write_tet_mesh(options_.output, result_.mesh, write);

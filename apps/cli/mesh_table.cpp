@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 #include "mesh_report.hpp"
@@ -19,6 +20,9 @@ class Table {
     fmt::format_to(std::back_inserter(text_), "  {:<18}{:>12}{:>14}{:>14}\n", name, asked, guaranteed,
                    achieved);
   }
+  void change(const std::string& name, const std::string& before, const std::string& after) {
+    fmt::format_to(std::back_inserter(text_), "  {:<18}{:>12}{:>14}\n", name, before, after);
+  }
   void blank() { text_ += '\n'; }
   std::string text() && { return std::move(text_); }
 
@@ -30,15 +34,23 @@ void notes(Table& table, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) table.row("", "note: " + line);
 }
 
+void points(Table& table, const InputVertices& inputs) {
+  table.row("points", with_separators(inputs.count()) + " from " + inputs.file +
+                          (inputs.set.sizes.empty() ? "" : ", with sizes"));
+  notes(table, inputs.set.notes);
+}
+
 void job(Table& table, const MeshReport& report) {
   if (report.source) {
     table.row("input", report.source->label);
     table.row("domain", report.source->domain->describe());
-    notes(table, report.source->domain->notes());
+    notes(table, all_notes(*report.source));
+    if (report.source->inputs) points(table, *report.source->inputs);
   }
   if (report.size) {
+    const bool default_constant = report.size->by_default && report.size->constant;
     table.row("size s",
-              report.size->sizing->describe() + (report.size->by_default ? " (default: diagonal / 40)" : ""));
+              report.size->sizing->describe() + (default_constant ? " (default: diagonal / 40)" : ""));
     if (report.size->constant)
       table.row("", fmt::format("edges about {:.4g} on average (s = {:.5f} edge)",
                                 *report.size->constant / kSizePerEdge, kSizePerEdge));
@@ -48,6 +60,24 @@ void job(Table& table, const MeshReport& report) {
     table.row("vertices", with_separators(report.counts->vertices));
     table.row("tetrahedra", with_separators(report.counts->tets));
   }
+}
+
+/// What `unsliver refine` is for.
+void slivers(Table& table, const MeshReport& report) {
+  if (!report.source || !report.source->before || !report.quality) return;
+  const QualitySummary &before = *report.source->before, &after = *report.quality;
+  const std::size_t vertices_before = report.source->inputs->count();
+  table.blank();
+  table.change("", "before", "after");
+  table.change("vertices", with_separators(vertices_before), with_separators(report.counts->vertices));
+  table.change("tetrahedra", with_separators(before.tets), with_separators(after.tets));
+  constexpr std::array kLimits = {5, 10, 15, 20, 30};
+  for (std::size_t i = 0; i < kLimits.size(); ++i)
+    table.change(fmt::format("below {} deg", kLimits[i]), with_separators(before.below[i]),
+                 with_separators(after.below[i]));
+  table.change("growth", "",
+               fmt::format("{:.1f} times", static_cast<double>(report.counts->vertices) /
+                                               static_cast<double>(vertices_before)));
 }
 
 struct Achieved {
@@ -95,10 +125,14 @@ void costs(Table& table, const MeshReport& report) {
   table.row("memory", memory);
 }
 
+std::string unverified(const MeshReport& report) {
+  if (report.status == "unverified" || report.status == "cancelled") return "no: interrupted";
+  return report.counts && report.counts->tets == 0 ? "no: there is no mesh yet"
+                                                   : "no: switched off by --no-verify";
+}
+
 std::string verdict(const MeshReport& report) {
-  if (!report.verified)
-    return report.status == "unverified" || report.status == "cancelled" ? "no: interrupted"
-                                                                         : "no: switched off by --no-verify";
+  if (!report.verified) return unverified(report);
   if (!report.verified->ok)
     return fmt::format("FAILED: {}", plural(report.verified->finding_count, "finding"));
   return fmt::format("yes, exactly, by {}", plural(report.verified->checks.size(), "independent check"));
@@ -109,7 +143,9 @@ std::string verdict(const MeshReport& report) {
 std::string to_table(const MeshReport& report) {
   Table table;
   job(table, report);
+  slivers(table, report);
   comparison(table, report);
+  if (report.stats) table.row("strategy", to_string(report.stats->strategy));
   table.row("verified", verdict(report));
   notes(table, report.notes);
   costs(table, report);

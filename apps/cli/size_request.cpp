@@ -89,11 +89,36 @@ SizingPtr varying(const SizeRequest& request, const Box3& bounds) {
   return request.gradation ? limit_gradation(all, *request.gradation, bounds) : all;
 }
 
-SizingPtr uniform(const SizeRequest& request, const DomainSource& source, double s) {
-  if (!request.gradation || !source.surface) return constant_size(s);
-  const double cap = request.size_max.value_or(std::numeric_limits<double>::infinity());
-  return graded_from_surface(*source.surface, s, *request.gradation, cap);
+bool has_sizes(const DomainSource& source) { return source.inputs && !source.inputs->set.sizes.empty(); }
+
+/// A constant size grows away from the surface, or from points that have no sizes of their own.
+bool constant_grows(const SizeRequest& request, const DomainSource& source) {
+  return request.gradation && (source.surface || (source.inputs && !has_sizes(source)));
 }
+
+double cap_of(const SizeRequest& request) {
+  return request.size_max.value_or(std::numeric_limits<double>::infinity());
+}
+
+SizingPtr uniform(const SizeRequest& request, const DomainSource& source, double s) {
+  if (!constant_grows(request, source)) return constant_size(s);
+  if (source.surface) return graded_from_surface(*source.surface, s, *request.gradation, cap_of(request));
+  return graded_from_points(source.inputs->set.points, {s}, *request.gradation, cap_of(request));
+}
+
+SizingPtr at_points(const SizeRequest& request, const PointSet& set) {
+  return graded_from_points(set.points, set.sizes, request.gradation.value_or(kDefaultGradation),
+                            cap_of(request));
+}
+
+/// Nothing is asked beyond what the input vertices bring about.
+class NoDemand final : public Sizing {
+ public:
+  double at(const Vec3&) const override { return std::numeric_limits<double>::infinity(); }
+  double lower_bound(const Box3&) const override { return std::numeric_limits<double>::infinity(); }
+  double lipschitz() const override { return 0; }
+  std::string describe() const override { return "none: as large as the input vertices allow"; }
+};
 
 /// One of the eight parts of a box.
 Box3 octant(const Box3& box, int index) {
@@ -135,9 +160,24 @@ void probe(const Sizing& sizing, const Domain& domain) {
                     point_text(*place)));
 }
 
+/// \throws Error kBadOption for a gradation or a cap that changes nothing.
+void check_effects(const SizeRequest& request, const DomainSource& source, bool has_constant) {
+  const bool grows = has_sizes(source) || (has_constant && constant_grows(request, source));
+  if (request.gradation && !grows && !varies(request))
+    throw Error(ErrorCode::kBadOption,
+                source.inputs ? "--size-gradation has no effect here: there is no size that could grow; give "
+                                "--size, or points with sizes"
+                              : "--size-gradation has no effect here: the size is constant and there is no "
+                                "surface to grade from");
+  if (request.size_max && !grows)
+    throw Error(ErrorCode::kBadOption,
+                "--size-max has no effect here: it caps the size that grows away from a surface or points (a "
+                "constant size and --size-gradation, or points with sizes)");
+}
+
 }  // namespace
 
-void check_size_request(const SizeRequest& request, bool surface_input) {
+void check_size_request(const SizeRequest& request) {
   for (const Typed& typed : typed_sizes(request))
     if (const auto number = parse_number(*typed.text)) check_positive(typed.option, *number);
   if (request.gradation && !(*request.gradation > 0 && std::isfinite(*request.gradation)))
@@ -145,32 +185,24 @@ void check_size_request(const SizeRequest& request, bool surface_input) {
                 fmt::format("--size-gradation is {}: it must be a positive, finite slope (length per length)",
                             *request.gradation));
   if (request.size_max) check_positive("--size-max", *request.size_max);
-  if (request.gradation && !surface_input && !varies(request))
-    throw Error(
-        ErrorCode::kBadOption,
-        "--size-gradation has no effect here: the size is constant and there is no surface to grade from");
-  const bool graded_from_a_surface =
-      request.gradation && surface_input && (smallest_constant(request) || !varies(request));
-  if (request.size_max && !graded_from_a_surface)
-    throw Error(ErrorCode::kBadOption,
-                "--size-max has no effect here: it caps the size that grows away from a surface "
-                "(a surface file, a constant size and --size-gradation)");
 }
 
 SizeSource make_sizing(const SizeRequest& request, const DomainSource& source) {
   const Box3 bounds = source.domain->bounds();
   SizeSource result;
   std::optional<double> s = smallest_constant(request);
-  result.by_default = !s && !varies(request);
-  if (result.by_default) s = bounds.diagonal() / kDiagonalPerDefaultSize;
+  result.by_default = !s && !varies(request) && !has_sizes(source);
+  if (result.by_default && !source.inputs) s = bounds.diagonal() / kDiagonalPerDefaultSize;
+  check_effects(request, source, s.has_value());
   std::vector<SizingPtr> sizes;
   if (s) sizes.push_back(uniform(request, source, *s));
+  if (has_sizes(source)) sizes.push_back(at_points(request, source.inputs->set));
   if (varies(request)) {
     sizes.push_back(varying(request, bounds));
     probe(*sizes.back(), *source.domain);
   }
-  if (s && !varies(request) && !request.gradation) result.constant = s;
-  result.sizing = combined(std::move(sizes));
+  if (s && sizes.size() == 1 && !request.gradation) result.constant = s;
+  result.sizing = sizes.empty() ? std::make_shared<NoDemand>() : combined(std::move(sizes));
   return result;
 }
 

@@ -15,7 +15,10 @@ namespace unsliver::cli {
 /// empty ball has radius a sqrt(5)/4, and that is s.
 extern const double kSizePerEdge;
 
-/// The ways to say how fine, as typed. Those given combine by minimum.
+/// How fast sizes given at points grow away from them where nothing else is asked.
+inline constexpr double kDefaultGradation = 0.3;
+
+/// The ways to say how fine, as typed. Those given combine by minimum, sizes of input points among them.
 struct SizeRequest {
   std::optional<std::string> size, edge_length;  ///< a number or a formula in x, y, z
   std::optional<std::string> size_mesh;          ///< a file of nodal values of s
@@ -24,14 +27,17 @@ struct SizeRequest {
 
 struct SizeSource {
   SizingPtr sizing;
-  bool by_default = false;         ///< nothing was asked: domain diagonal / 40
-  std::optional<double> constant;  ///< s, where it is the same everywhere
+  /// Nothing was asked: domain diagonal / 40, or nothing (s infinite) where there are input vertices.
+  bool by_default = false;
+  std::optional<double> constant;  ///< s, where it is the same everywhere and finite
+
+  bool demands() const { return !by_default || constant; }
 };
 
-/// \throws Error kBadOption for numbers that are not positive and for options without effect.
-void check_size_request(const SizeRequest& request, bool surface_input);
+/// \throws Error kBadOption for numbers that are not positive.
+void check_size_request(const SizeRequest& request);
 
-/// \throws Error.
+/// \throws Error, kBadOption for options without effect among them.
 SizeSource make_sizing(const SizeRequest& request, const DomainSource& source);
 
 }  // namespace unsliver::cli
