@@ -36,9 +36,10 @@ bool writes_vtu(const MeshCommandOptions& options) {
   return options.write.format.empty() ? extension_of(options.output) == "vtu" : options.write.format == "vtu";
 }
 
-/// What the vertices beside input points cost, at 30 degrees: roughly, as measured on random points.
-void add_inputs(std::size_t count, Strategy strategy, SizeEstimate& estimate) {
-  const double vertices_per_input = strategy == Strategy::kLiteral ? 130 : 45;
+/// What the vertices beside input points cost: roughly, as measured on random points.
+void add_inputs(std::size_t count, const MeshOptions& options, SizeEstimate& estimate) {
+  const double at_30_degrees = options.strategy == Strategy::kLiteral ? 130 : 45;
+  const double vertices_per_input = at_30_degrees * std::max(1.0 / 3, options.min_dihedral_deg / 30);
   const double more = 1 + vertices_per_input * static_cast<double>(count) / estimate.vertices;
   estimate.vertices *= more;
   estimate.tets *= more;
@@ -110,7 +111,7 @@ void MeshRun::prepare() {
   report_.source = make_domain(options_.domain);
   report_.size = make_sizing(options_.size, *report_.source);
   report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, report_.options);
-  if (inputs()) add_inputs(inputs()->count(), report_.options.strategy, *report_.estimate);
+  if (inputs()) add_inputs(inputs()->count(), report_.options, *report_.estimate);
 }
 
 void MeshRun::check_limits() {
@@ -127,11 +128,12 @@ void MeshRun::check_limits() {
                             : options_.mesh.max_memory_bytes > 0
                                 ? "--max-memory " + human_bytes(static_cast<double>(max_memory))
                                 : "the memory available, " + human_bytes(static_cast<double>(max_memory));
-  throw Error(
-      ErrorCode::kLimit,
-      fmt::format("expected are {}, more than {}. Ask for larger elements (--size), raise the limit, or add "
-                  "--keep-partial to run until the limit and keep the unfinished mesh",
-                  expected, limit));
+  throw Error(ErrorCode::kLimit,
+              fmt::format("expected are {}, more than {}. Ask for {}, raise the limit, or add --keep-partial "
+                          "to run until the "
+                          "limit and keep the unfinished mesh",
+                          expected, limit,
+                          inputs() ? "less (--min-angle, --max-angle, --size)" : "larger elements (--size)"));
 }
 
 void MeshRun::generate() {

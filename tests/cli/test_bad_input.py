@@ -157,6 +157,7 @@ class Options(ProgramTest):
             ("--size-max", [*BALL, "--size", "0.3 + 0.01 * x", "--size-gradation", "0.2", "--size-max", "1"]),
             ("--size-max", [self.cube(), *SIZE, "--size-max", "1"]),
             ("--ascii", [*BALL, *SIZE, "--ascii"]),
+            ("--keep-partial", [*BALL, *SIZE, "--strategy", "octree", "--keep-partial"]),
         ]
         for option, case in cases:
             with self.subTest(case=case):
