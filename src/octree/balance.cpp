@@ -32,8 +32,10 @@ class Sweep {
     const std::uint64_t missing = exists & ~same & kFaceAndEdgeNeighbors;
     require(missing, cell);
     for (std::uint64_t leaves = same & ~Block::around(block.split, place) & kFaceAndEdgeNeighbors;
-         leaves != 0; leaves &= leaves - 1)
-      forest_[block.node[std::size_t(place - kFirstPlace + std::countr_zero(leaves))]].flags |= kHasCenter;
+         leaves != 0; leaves &= leaves - 1) {
+      const int at = place - kFirstPlace + std::countr_zero(leaves);
+      forest_[block.node[std::size_t(at)]].flags |= kHasCenter;
+    }
     if (!has_grandchildren(cell)) return;
     const Block inner = child_block(forest_, block, place);
     for (int child = 0; child < 8; ++child) {

@@ -20,7 +20,8 @@ constexpr std::array<Share, 27> make_shares() {
   for (int place = 0; place < 64; ++place) {
     const int at[3] = {place & 3, place >> 2 & 3, place >> 4};
     const int up[3] = {step_up(at[0]), step_up(at[1]), step_up(at[2])};
-    Share& share = shares[std::size_t((up[0] + 1) + 3 * (up[1] + 1) + 9 * (up[2] + 1))];
+    const int number = (up[0] + 1) + 3 * (up[1] + 1) + 9 * (up[2] + 1);
+    Share& share = shares[std::size_t(number)];
     share.offset = std::int8_t(offset(up[0], up[1], up[2]));
     share.place[share.count] = std::uint8_t(place);
     share.child[share.count++] = std::uint8_t(half(at[0]) | half(at[1]) << 1 | half(at[2]) << 2);
@@ -46,7 +47,8 @@ Block root_block(const Forest& forest, int i, int j, int k) {
 Block child_block(const Forest& forest, const Block& parent, int place) {
   Block block;
   for (const Share& share : kShares) {
-    const auto up = std::size_t(place + share.offset);
+    const int neighbor = place + share.offset;
+    const auto up = std::size_t(neighbor);
     if (parent.split >> up & 1) {
       for (std::size_t i = 0; i < share.count; ++i) {
         const NodeId n = parent.link[up] + share.child[i];

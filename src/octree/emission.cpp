@@ -49,8 +49,7 @@ void for_each_cell(const Forest& forest, const Cell& cell, const OnLeaf& on_leaf
 
 /// World coordinates of a slot.
 Vec3 slot_point(const LeafView& leaf, Key key, int slot) {
-  const int face = (slot - kFirstBeyond) >> 2;
-  const auto at = slot_position(slot, slot >= kFirstBeyond && key.face(face) == kHalved);
+  const auto at = slot_position(slot, is_halved_slot(key, slot));
   const double quarter = 0.25 * double(leaf.cell.side());
   return leaf.cell.corner() + quarter * Vec3{double(at[0]), double(at[1]), double(at[2])};
 }

@@ -38,12 +38,12 @@ GiftWrapping::GiftWrapping(std::span<const Vec3> points) : points_(points) {
 /// A point and its nearest neighbour are joined by an edge: on the sphere about both lies no third point.
 GiftWrapping::Corners GiftWrapping::first_tet() {
   const auto b = std::uint8_t(nearest_to_first(points_));
-  for (std::uint8_t c = 1; c < points_.size(); ++c) {
+  for (std::size_t c = 1; c < points_.size(); ++c) {
     if (c == b) continue;
-    const Facet facet{0, b, c};
+    const Facet facet{0, b, std::uint8_t(c)};
     const int d = apex(facet);
     if (d == kNone) continue;
-    const Corners t{0, b, c, std::uint8_t(d)};
+    const Corners t{0, b, std::uint8_t(c), std::uint8_t(d)};
     if (is_empty(t)) return t;
   }
   throw std::logic_error("the points lie in a plane");

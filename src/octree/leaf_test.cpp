@@ -20,7 +20,7 @@ using lattice::kQuarterSqrt5;
 
 constexpr double kRounding = 1e-12;
 /// Above this Lipschitz constant the deep test asks for too much.
-constexpr double kGentle = 0.4;
+constexpr double kGentle = 1.1;
 /// See the header: sqrt(1.5^2 + 0.5^2 + 0.5^2) + 2, rounded up.
 constexpr double kDeepReach = 3.67;
 /// Boxes are halved this often before a leaf counts as too large.

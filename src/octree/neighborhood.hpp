@@ -49,6 +49,11 @@ class Key {
   std::uint64_t bits_;
 };
 
+/// Is the slot beyond a face whose other side is halved?
+constexpr bool is_halved_slot(Key key, int slot) {
+  return slot >= kFirstBeyond && key.face(face_of_beyond(slot)) == kHalved;
+}
+
 /// Key bits of a halved face: the four leaves' centres.
 inline std::uint64_t halved_face(const LeafView& leaf, int face) {
   const NodeId first = leaf.block.link[leaf.neighbor(kFaceOffset[std::size_t(face)])];
@@ -124,7 +129,7 @@ inline VertexRef grid_vertex(const LeafView& leaf, int slot) {
 }
 
 inline VertexRef vertex_beyond(const LeafView& leaf, int slot) {
-  const int face = (slot - kFirstBeyond) >> 2, j = (slot - kFirstBeyond) & 3;
+  const int face = face_of_beyond(slot), j = (slot - kFirstBeyond) & 3;
   const std::size_t i = leaf.neighbor(kFaceOffset[std::size_t(face)]);
   const bool halved = leaf.block.split >> i & 1;
   return {halved ? leaf.block.link[i] + child_at_face(face, j) : leaf.block.node[i], 0};

@@ -106,6 +106,10 @@ constexpr int child_at_face(int face, int j) {
   return (1 - (face & 1)) << (face >> 1) | (j & 1) << axes[0] | (j >> 1) << axes[1];
 }
 
+/// Slots beyond faces, and the face of one.
+constexpr int beyond_slot(int face, int j) { return kFirstBeyond + 4 * face + j; }
+constexpr int face_of_beyond(int slot) { return (slot - kFirstBeyond) >> 2; }
+
 /// Position of a slot in quarters of the leaf's side, from its lower corner. `halved`: the neighbour beyond
 /// is split.
 constexpr std::array<int, 3> slot_position(int slot, bool halved) {
@@ -113,7 +117,7 @@ constexpr std::array<int, 3> slot_position(int slot, bool halved) {
     const auto g = grid_coordinates(slot);
     return {2 * g[0], 2 * g[1], 2 * g[2]};
   }
-  const int face = (slot - kFirstBeyond) >> 2, j = (slot - kFirstBeyond) & 3;
+  const int face = face_of_beyond(slot), j = (slot - kFirstBeyond) & 3;
   const auto axes = face_axes(face);
   std::array<int, 3> at{};
   const int depth = halved ? 1 : 2;

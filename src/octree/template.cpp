@@ -8,8 +8,7 @@ namespace {
 using Vector = std::array<std::int64_t, 3>;
 
 Vector position(Key key, int slot) {
-  const int face = (slot - kFirstBeyond) >> 2;
-  const auto at = slot_position(slot, slot >= kFirstBeyond && key.face(face) == kHalved);
+  const auto at = slot_position(slot, is_halved_slot(key, slot));
   return {at[0], at[1], at[2]};
 }
 
@@ -53,9 +52,10 @@ std::vector<std::uint8_t> occupied_slots(Key key) {
   for (int f = 0; f < 6; ++f) {
     const bool halved = key.face(f) == kHalved;
     occupied[std::size_t(face_slot(f))] = halved;
-    for (int j = 0; j < 4; ++j)
-      occupied[std::size_t(kFirstBeyond + 4 * f + j)] =
-          halved ? key.half_has_center(f, j) : j == 0 && key.face(f) == kCentered;
+    for (int j = 0; j < 4; ++j) {
+      const int slot = beyond_slot(f, j);
+      occupied[std::size_t(slot)] = halved ? key.half_has_center(f, j) : j == 0 && key.face(f) == kCentered;
+    }
   }
   std::vector<std::uint8_t> slots;
   for (std::size_t s = 0; s < kSlotCount; ++s)

@@ -148,6 +148,18 @@ TEST(MeshDomainOctree, ConstantSizeComesNearTheThinnestCovering) {
   }
 }
 
+/// Nearly all of the ball has size `cap`, which is no power of two times the least size.
+TEST(MeshDomainOctree, TheUnitFitsThePlateauThatNeedsMostVertices) {
+  for (const double cap : {0.03, 0.036, 0.043, 0.052}) {
+    SCOPED_TRACE(cap);
+    const SizingPtr size = graded_from_points({{0.1, 0.2, 0.3}}, {0.01}, 0.3, cap);
+    const TetMesh mesh = mesh_domain_octree(*make_ball({0, 0, 0}, 1), *size).mesh;
+    const auto inside =
+        std::count_if(mesh.points.begin(), mesh.points.end(), [](const Vec3& p) { return norm_sq(p) <= 1; });
+    EXPECT_LT(double(inside), 1.45 * 4.18879 / (2.862 * cap * cap * cap));
+  }
+}
+
 TEST(MeshDomainOctree, CapsAndCancellationEndTheRun) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
   const SizingPtr size = constant_size(0.05);

@@ -34,8 +34,7 @@ std::set<std::uint64_t> keys_of_forests() {
 }
 
 Vec3 position(Key key, int slot) {
-  const int face = (slot - kFirstBeyond) / 4;
-  const auto at = slot_position(slot, slot >= kFirstBeyond && key.face(face) == kHalved);
+  const auto at = slot_position(slot, is_halved_slot(key, slot));
   return {double(at[0]), double(at[1]), double(at[2])};
 }
 
@@ -95,7 +94,7 @@ TEST(Slots, TheTablesAgreeWithThePositions) {
     for (int j = 0; j < 4; ++j) {
       // The child's centre, from the neighbour's lower corner and the child's number.
       const int child = child_at_face(face, j);
-      const auto center = slot_position(kFirstBeyond + 4 * face + j, true);
+      const auto center = slot_position(beyond_slot(face, j), true);
       for (int axis = 0; axis < 3; ++axis) {
         const int shift = axis != face / 2 ? 0 : face % 2 == 0 ? -4 : 4;
         EXPECT_EQ(center[std::size_t(axis)], shift + 1 + 2 * (child >> axis & 1));
