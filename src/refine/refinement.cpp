@@ -75,7 +75,7 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
   last_report_ = phase_start_ = std::chrono::steady_clock::now();
   add_vertex_arrays(0, 0);  // the vertex at infinity
   start_from_cube();
-  insert_inputs();
+  insert_inputs(inputs);
 }
 
 void Refinement::start_from_cube() {
@@ -89,7 +89,7 @@ void Refinement::start_from_cube() {
   }
 }
 
-void Refinement::insert_inputs() {
+void Refinement::insert_inputs(std::span<const Vec3> inputs) {
   const std::vector<Vec3>& places = inputs_.places();
   first_input_ = static_cast<VertexId>(mesh_.vertex_count() + 1);
   site_of_vertex_.resize(places.size());
@@ -98,7 +98,7 @@ void Refinement::insert_inputs() {
   for (VertexId site = 0; site < places.size(); ++site) {
     site_of_vertex_[vertices[site] - first_input_] = site;
     add_vertex_arrays(kNoLabel, std::numeric_limits<double>::infinity());
-    if (contains(places[site])) continue;
+    if (domain_.contains(inputs[inputs_.sites().first_point[site]])) continue;
     outside_[vertices[site] - first_input_] = true;
     ++outside_count_;
   }

@@ -111,7 +111,7 @@ class Refinement {
   Tet to_caller(const Tet& t) const;
   std::optional<double> varying_size_if_defined(const Vec3& p) const;
   void start_from_cube();
-  void insert_inputs();
+  void insert_inputs(std::span<const Vec3> inputs);
   bool has_outside_input(TetId t) const;
   void add_vertex_arrays(Level label, double lfs_bound);
   void report_progress();

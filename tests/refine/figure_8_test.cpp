@@ -290,6 +290,16 @@ TEST(Figure8, TheSameJobGivesTheSameMesh) {
   EXPECT_EQ(a.tets, b.tets);
 }
 
+TEST(Figure8, PointsOnTheBoundaryAreNotOutside) {
+  Job job{"", random_points(20, 5)};
+  Box3 box;
+  for (const Vec3& p : job.inputs) box.extend(p);
+  job.domain = make_box(box);
+  EXPECT_TRUE(mesh(job).notes.empty());
+  job.inputs.push_back({2, 2, 2});
+  EXPECT_EQ(mesh(job).notes.size(), 1u);
+}
+
 // The figure's size step takes SC_j with the largest j such that r(SC_j) <= s(p). Here that is SC_0, whose
 // eight points within s of p all have the same input vertex in their forbidden regions; the ball about p
 // holds no vertex. (In units of 2^40, for integers.)
