@@ -36,12 +36,23 @@ class Sweep {
       const int at = place - kFirstPlace + std::countr_zero(leaves);
       forest_[block.node[std::size_t(at)]].flags |= kHasCenter;
     }
+    note_uniformity(cell);
     if (!has_grandchildren(cell)) return;
     const Block inner = child_block(forest_, block, place);
     for (int child = 0; child < 8; ++child) {
       const Cell c = forest_.child(cell, child);
       if (!forest_[c.node].is_leaf()) visit(inner, place_of_child(child), c);
     }
+  }
+
+  void note_uniformity(const Cell& cell) {
+    constexpr std::uint8_t kPlainBulk = kHasCenter | kInside;
+    const NodeId first = forest_[cell.node].link;
+    bool uniform = true;
+    for (NodeId n = first; n < first + 8; ++n)
+      uniform = uniform && forest_[n].is_leaf() && (forest_[n].flags & kPlainBulk) == kPlainBulk;
+    std::uint8_t& flags = forest_[cell.node].flags;
+    flags = std::uint8_t(uniform ? flags | kUniform : flags & ~kUniform);
   }
 
   bool has_grandchildren(const Cell& cell) const {

@@ -3,13 +3,6 @@
 namespace unsliver::octree {
 namespace {
 
-/// The places of a child block that one neighbour of the parent fills, and with which of its children.
-struct Share {
-  std::int8_t offset;  ///< of the neighbour, in the parent's block
-  std::uint8_t count;
-  std::array<std::uint8_t, 8> place, child;
-};
-
 /// Along one axis: the cell at coordinate 0..3 of a child block belongs to the parent's neighbour by -1, 0, 0
 /// or 1, and is its upper, lower, upper or lower half.
 constexpr int step_up(int coordinate) { return coordinate == 0 ? -1 : (coordinate - 1) / 2; }
@@ -28,9 +21,9 @@ constexpr std::array<Share, 27> make_shares() {
   }
   return shares;
 }
-constexpr std::array<Share, 27> kShares = make_shares();
-
 }  // namespace
+
+constexpr std::array<Share, 27> kShares = make_shares();
 
 Block root_block(const Forest& forest, int i, int j, int k) {
   Block block;

@@ -21,12 +21,23 @@ constexpr int place_of_child(int number) {
   return kFirstPlace + offset(number & 1, number >> 1 & 1, number >> 2);
 }
 
+/// What one neighbour of a node fills of the block of the node's children: places, and the neighbour's
+/// children there. `offset` is the neighbour's, in the block that holds the node.
+struct Share {
+  std::int8_t offset;
+  std::uint8_t count;
+  std::array<std::uint8_t, 8> place, child;
+};
+
+/// For the node itself and its 26 neighbours.
+extern const std::array<Share, 27> kShares;
+
 struct Block {
   std::array<NodeId, 64> node;        ///< kNoNode beyond the forest
   std::array<std::int32_t, 64> link;  ///< Node::link, -1 beyond the forest
   /// One bit a place: there is a node; it has the block's own exponent; it has children; it is a leaf of the
-  /// block's exponent with a centre.
-  std::uint64_t exists = 0, same = 0, split = 0, centered = 0;
+  /// block's exponent with a centre; it has the flag kUniform.
+  std::uint64_t exists = 0, same = 0, split = 0, centered = 0, uniform = 0;
 
   /// A mask seen from a place that holds a child: bit kFirstPlace + offset is that of the neighbour.
   static std::uint64_t around(std::uint64_t mask, int place) { return mask >> (place - kFirstPlace); }
@@ -48,6 +59,7 @@ struct Block {
     same |= std::uint64_t{1} << place;
     split |= has_children << place;
     centered |= (has_center & ~has_children) << place;
+    uniform |= std::uint64_t(at.flags / kUniform & 1) << place;
   }
 };
 
@@ -55,5 +67,16 @@ struct Block {
 Block root_block(const Forest& forest, int i, int j, int k);
 /// The block of the children of the node at a place of `parent` that holds a child and is split.
 Block child_block(const Forest& forest, const Block& parent, int place);
+
+/// Calls visit(place in the block of children, node there) without making that block. Requires that the node
+/// at the place and all its neighbours are split.
+template <class Visit>
+void for_each_child_place(const Block& block, int place, const Visit& visit) {
+  for (const Share& share : kShares) {
+    const int neighbor = place + share.offset;
+    const NodeId first = block.link[std::size_t(neighbor)];
+    for (std::size_t i = 0; i < share.count; ++i) visit(share.place[i], first + share.child[i]);
+  }
+}
 
 }  // namespace unsliver::octree

@@ -28,16 +28,17 @@ constexpr auto kOnes = [] {
   return table;
 }();
 
-/// Calls leaf(view) for the leaves below a node that can own kept tetrahedra, in depth-first order.
-template <class OnLeaf>
-void for_each_leaf(const Forest& forest, const Block& block, int place, const Cell& cell,
-                   const OnLeaf& on_leaf) {
+/// Visits what is below a node and can own kept tetrahedra, depth first: visitor.leaf(view), or
+/// visitor.uniform(block, place, cell) for eight leaves at once.
+template <class Visitor>
+void visit_leaves(const Forest& forest, const Block& block, int place, const Cell& cell, Visitor& visitor) {
   const Node& node = forest[cell.node];
   if ((node.flags & kOutside) != 0) return;
-  if (node.is_leaf()) return on_leaf(LeafView{forest, block, place, cell});
+  if (node.is_leaf()) return visitor.leaf(LeafView{forest, block, place, cell});
+  if (is_uniform(block, place)) return visitor.uniform(block, place, cell);
   const Block inner = child_block(forest, block, place);
   for (int child = 0; child < 8; ++child)
-    for_each_leaf(forest, inner, place_of_child(child), forest.child(cell, child), on_leaf);
+    visit_leaves(forest, inner, place_of_child(child), forest.child(cell, child), visitor);
 }
 
 /// The same for all leaves, without their neighbours.
@@ -97,9 +98,20 @@ void Emission::run_tasks(const Visit& visit) {
 class Emission::Chooser {
  public:
   Chooser(Emission& all, Task& task, TemplateCache& templates)
-      : forest_(all.forest_), keep_(all.settings_.keep), task_(task), templates_(templates) {}
+      : forest_(all.forest_),
+        keep_(all.settings_.keep),
+        uniform_(all.uniform_),
+        task_(task),
+        templates_(templates) {}
 
-  void operator()(const LeafView& leaf) const {
+  void uniform(const Block&, int, const Cell& cell) const {
+    task_.leaves += 8;
+    task_.tets += uniform_.tet_count();
+    const NodeId first = forest_[cell.node].link;
+    for (NodeId n = first; n < first + 8; ++n) mark(n, kUniformUse);
+  }
+
+  void leaf(const LeafView& leaf) const {
     const Key key = key_of(leaf);
     const Template& made = templates_[key];
     ++task_.leaves;
@@ -110,9 +122,12 @@ class Emission::Chooser {
   }
 
  private:
+  /// The leaf's centre and lower corner are inside the domain: in use, if only by a uniform neighbour, which
+  /// leaves it to their owner to say so.
   void take_all(const LeafView& leaf, const Template& made) const {
     task_.tets += made.tets.size();
     for (const int slot : made.slots) mark(leaf, slot);
+    if ((forest_[leaf.cell.node].flags & kHasCenter) != 0) mark(leaf.cell.node, kUniformUse);
   }
 
   void take_some(const LeafView& leaf, Key key, const Template& made) const {
@@ -134,20 +149,25 @@ class Emission::Chooser {
 
   void mark(const LeafView& leaf, int slot) const {
     const VertexRef vertex = vertex_at(leaf, slot);
-    std::atomic_ref<std::uint16_t> used(forest_[vertex.leaf].used);
-    if ((used.load(std::memory_order_relaxed) & vertex.bit()) == 0)
-      used.fetch_or(std::uint16_t(vertex.bit()), std::memory_order_relaxed);
+    mark(vertex.leaf, std::uint16_t(vertex.bit()));
+  }
+
+  void mark(NodeId owner, std::uint16_t bits) const {
+    std::atomic_ref<std::uint16_t> used(forest_[owner].used);
+    if ((used.load(std::memory_order_relaxed) & bits) != bits) used.fetch_or(bits, std::memory_order_relaxed);
   }
 
   Forest& forest_;
   const std::function<bool(const Tet&)>& keep_;
+  const UniformPattern& uniform_;
   Task& task_;
   TemplateCache& templates_;
 };
 
 void Emission::choose() {
   run_tasks([&](Task& task, unsigned worker) {
-    for_each_leaf(forest_, task.block, task.place, task.cell, Chooser(*this, task, caches_[worker]));
+    Chooser chooser(*this, task, caches_[worker]);
+    visit_leaves(forest_, task.block, task.place, task.cell, chooser);
   });
   for (Task& task : tasks_) {
     task.first_tet = tet_count_;
@@ -191,10 +211,18 @@ void Emission::write_points(const std::function<void(VertexId, const Vec3&)>& pl
 /// Writes the tetrahedra of one task.
 class Emission::Writer {
  public:
-  Writer(const Emission& all, const Task& task, TemplateCache& templates, std::array<VertexId, 4>*& out)
-      : forest_(all.forest_), kept_(task.kept.data()), templates_(templates), out_(out) {}
+  Writer(const Emission& all, const Task& task, TemplateCache& templates, std::array<VertexId, 4>* out)
+      : forest_(all.forest_),
+        uniform_(all.uniform_),
+        kept_(task.kept.data()),
+        templates_(templates),
+        out_(out) {}
 
-  void operator()(const LeafView& leaf) {
+  void uniform(const Block& block, int place, const Cell&) {
+    out_ = uniform_.write(forest_, block, place, out_);
+  }
+
+  void leaf(const LeafView& leaf) {
     const Template& made = templates_[key_of(leaf)];
     VertexId ids[kSlotCount];
     for (const std::size_t slot : made.slots) ids[slot] = number_of(vertex_at(leaf, int(slot)));
@@ -215,16 +243,16 @@ class Emission::Writer {
   }
 
   const Forest& forest_;
+  const UniformPattern& uniform_;
   const std::uint64_t* kept_;
   TemplateCache& templates_;
-  std::array<VertexId, 4>*& out_;
+  std::array<VertexId, 4>* out_;
 };
 
 void Emission::write_tets(std::array<VertexId, 4>* out) {
   run_tasks([&](Task& task, unsigned worker) {
-    std::array<VertexId, 4>* next = out + task.first_tet;
-    Writer writer(*this, task, caches_[worker], next);
-    for_each_leaf(forest_, task.block, task.place, task.cell, [&](const LeafView& leaf) { writer(leaf); });
+    Writer writer(*this, task, caches_[worker], out + task.first_tet);
+    visit_leaves(forest_, task.block, task.place, task.cell, writer);
   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "octree/block.hpp"
 #include "octree/template_table.hpp"
+#include "octree/uniform.hpp"
 #include "unsliver/mesh.hpp"
 
 namespace unsliver::octree {
@@ -65,6 +66,7 @@ class Emission {
   Forest& forest_;
   Settings settings_;
   std::vector<Task> tasks_;
+  UniformPattern uniform_;
   TemplateStore templates_;
   std::vector<TemplateCache> caches_;  ///< one a thread
   std::uint64_t tet_count_ = 0, vertex_count_ = 0, leaf_count_ = 0, tested_tets_ = 0;

@@ -17,19 +17,21 @@ namespace unsliver::octree {
 using NodeId = std::int32_t;
 inline constexpr NodeId kNoNode = -1;  ///< beyond the forest
 
-/// Where a node lies with respect to the domain: see LeafTest. Each holds for all descendants too.
+/// What is known of a node. Where it lies with respect to the domain (see LeafTest) holds for all descendants
+/// too.
 enum NodeFlag : std::uint8_t {
   kHasCenter = 1,  ///< of leaves: the centre is a vertex
   kInside = 2,     ///< all tetrahedra that the node can own lie inside the domain
   kOutside = 4,    ///< all of them lie outside
   kDeep = 8,       ///< the node's face neighbours are inside, too
+  kUniform = 16,   ///< of split nodes: all children are leaves with kHasCenter and kInside
 };
 
 struct Node {
   std::int32_t link;      ///< the first of 8 children in a row; of leaves: ~(number of the first own vertex)
   std::uint8_t exponent;  ///< the side is 2^exponent
   std::uint8_t flags;     ///< of NodeFlag
-  std::uint16_t used;     ///< of leaves: the own vertices in use, see VertexRef
+  std::uint16_t used;     ///< of leaves: the own vertices in use, bit VertexRef::own each
 
   bool is_leaf() const { return link < 0; }
 };

@@ -91,6 +91,23 @@ TEST(Forest, PointsHoldTheirParentsInTheBrick) {
   }
 }
 
+// Large uniform parts take a way of their own (octree/uniform.hpp).
+TEST(Forest, UniformPartsHaveTheSameTetrahedra) {
+  for (const bool with_fine_corner : {false, true}) {
+    const test::ForestPlan plan{{6, {64, -64, 0}, {1, 1, 1}}, 3, 1.0, 1.0};
+    Forest forest = random_forest(plan, 1);
+    if (with_fine_corner) {
+      NodeId leaf = 0;
+      while (!forest[leaf].is_leaf()) leaf = forest[leaf].link;
+      forest.split(forest.split(leaf));
+      balance(forest, [](const Cell&) {});
+    }
+    const PointsAndTets mesh = emit(forest);
+    EXPECT_GT(mesh.tets.size(), 8u * 8 * 8 * 12 - 8u * 8 * 6 * 3);
+    EXPECT_EQ(sorted(as_tets(mesh)), sorted(delaunay_tets(mesh.points)));
+  }
+}
+
 TEST(Forest, ThreadsChangeNothing) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("forest " + std::to_string(seed));
