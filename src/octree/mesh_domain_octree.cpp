@@ -43,7 +43,7 @@ class Run {
     check_caps();
     enter("number");
     emission_->number();
-    enter("write");
+    enter("emit");
     write();
   }
 

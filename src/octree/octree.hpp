@@ -32,7 +32,7 @@ struct OctreePhase {
 };
 
 struct OctreeStats {
-  std::vector<OctreePhase> phases;  ///< "size", "balance", "choose", "number", "write"
+  std::vector<OctreePhase> phases;  ///< "size", "balance", "choose", "number", "emit"
   std::uint64_t nodes = 0, balance_splits = 0;
   std::uint64_t leaves = 0;       ///< that may own kept tetrahedra
   std::uint64_t tested_tets = 0;  ///< asked for, one by one, whether they meet the domain
