@@ -96,7 +96,10 @@ std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level 
   const double radius = std::sqrt(sphere.radius_sq);
   std::vector<Vec3> points;
   for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {
-    if (auto candidate = admissible(r, t, lattice::nearest(level, sphere.center), level)) return candidate;
+    const Vec3 nearest = lattice::nearest(level, sphere.center);
+    if (dist_sq(nearest, sphere.center) > sphere.radius_sq * (1 + 1e-9))
+      continue;  // no point of it is inside
+    if (auto candidate = admissible(r, t, nearest, level)) return candidate;
     points.clear();
     lattice::points_in_ball(level, sphere.center,
                             std::min(radius, kSearchRadius * lattice::covering_radius(level)), points);

@@ -30,18 +30,15 @@ struct Numbering {
   VertexId used;
 };
 
-void copy_points(const Refinement& r, const Numbering& numbering, std::span<const Vec3> inputs,
-                 TetMesh& mesh) {
-  const auto& first_points = r.inputs().sites().first_point;
-  mesh.points.reserve(numbering.used);
-  mesh.levels.reserve(numbering.used);
-  for (const VertexId first : first_points) mesh.points.push_back(inputs[first]);
-  mesh.levels.assign(first_points.size(), kNoLabel);
+void copy_points(const Refinement& r, const Numbering& numbering, TetMesh& mesh) {
+  mesh.points.resize(numbering.used);
+  mesh.levels.resize(numbering.used);
   for (VertexId v = 1; v < numbering.index.size(); ++v) {
-    if (numbering.index[v] == kNoVertex || r.is_input(v)) continue;
-    mesh.points.push_back(r.world().to_caller(r.mesh().point(v)));
-    mesh.levels.push_back(static_cast<std::uint8_t>(r.label(v)));
+    if (numbering.index[v] == kNoVertex) continue;
+    mesh.points[numbering.index[v]] = r.output_position(v);
+    mesh.levels[numbering.index[v]] = static_cast<std::uint8_t>(r.label(v));
   }
+  const auto& first_points = r.inputs().sites().first_point;
   if (first_points.empty()) return;
   mesh.point_source.assign(first_points.begin(), first_points.end());
   mesh.point_source.resize(mesh.points.size(), -1);
@@ -49,12 +46,12 @@ void copy_points(const Refinement& r, const Numbering& numbering, std::span<cons
 
 }  // namespace
 
-TetMesh extract_superset(Refinement& r, std::span<const Vec3> inputs) {
+TetMesh extract_superset(Refinement& r) {
   const PodVector<TetId> kept = kept_tets(r);
   const Numbering numbering(r, kept);
   TetMesh mesh;
   mesh.frame = r.world().frame();
-  copy_points(r, numbering, inputs, mesh);
+  copy_points(r, numbering, mesh);
   mesh.tets.reserve(kept.size());
   const auto& index = numbering.index;
   for (TetId t : kept) {

@@ -8,6 +8,6 @@ namespace unsliver::refine {
 
 /// The superset mesh in the caller's coordinates: tetrahedra in storage order, vertices in order of
 /// insertion, but input vertices first, in the caller's order and with his coordinates.
-TetMesh extract_superset(Refinement& refinement, std::span<const Vec3> inputs);
+TetMesh extract_superset(Refinement& refinement);
 
 }  // namespace unsliver::refine

@@ -89,7 +89,7 @@ MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::s
     result.status = stopped.status;
   }
   refinement.enter_phase("extract");
-  result.mesh = refine::extract_superset(refinement, inputs);
+  result.mesh = refine::extract_superset(refinement);
   refinement.finish_phases();
   result.stats = refinement.stats();
   copy_counts(refinement, result.stats);

@@ -66,6 +66,7 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
       caller_bounds_(domain.bounds()),
       lipschitz_(sizing.lipschitz()),
       bounds_(quality_bounds(options, !inputs.empty())),
+      given_(inputs),
       inputs_(make_inputs(std::move(sites), inputs, world_)) {
   domain_box_ = {world_.to_world_real(caller_bounds_.lo), world_.to_world_real(caller_bounds_.hi)};
   size_cap_ = caller_bounds_.diagonal() / world_.unit();
@@ -75,7 +76,7 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
   last_report_ = phase_start_ = std::chrono::steady_clock::now();
   add_vertex_arrays(0, 0);  // the vertex at infinity
   start_from_cube();
-  insert_inputs(inputs);
+  insert_inputs();
 }
 
 void Refinement::start_from_cube() {
@@ -89,7 +90,7 @@ void Refinement::start_from_cube() {
   }
 }
 
-void Refinement::insert_inputs(std::span<const Vec3> inputs) {
+void Refinement::insert_inputs() {
   const std::vector<Vec3>& places = inputs_.places();
   first_input_ = static_cast<VertexId>(mesh_.vertex_count() + 1);
   site_of_vertex_.resize(places.size());
@@ -98,7 +99,7 @@ void Refinement::insert_inputs(std::span<const Vec3> inputs) {
   for (VertexId site = 0; site < places.size(); ++site) {
     site_of_vertex_[vertices[site] - first_input_] = site;
     add_vertex_arrays(kNoLabel, std::numeric_limits<double>::infinity());
-    if (domain_.contains(inputs[inputs_.sites().first_point[site]])) continue;
+    if (domain_.contains(given_[inputs_.sites().first_point[site]])) continue;
     outside_[vertices[site] - first_input_] = true;
     ++outside_count_;
   }
@@ -127,8 +128,6 @@ Tet Refinement::to_caller(const Tet& t) const {
   return {world_.to_caller(t[0]), world_.to_caller(t[1]), world_.to_caller(t[2]), world_.to_caller(t[3])};
 }
 
-bool Refinement::meets_domain(const Tet& world_tet) const { return domain_.meets(to_caller(world_tet)); }
-
 double Refinement::clearance(VertexId v) {
   float& known = clearances_[v];
   if (std::isnan(known))
@@ -137,18 +136,22 @@ double Refinement::clearance(VertexId v) {
   return known;
 }
 
-/// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside.
+/// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside. Input
+/// vertices are written less than a unit away from their places in the world.
 bool Refinement::meets_domain(TetId t) {
   if (has_outside_input(t)) return true;
   const Tet corners = mesh_.corners(t);
+  const auto& v = mesh_.tet(t).v;
+  const double shift = inputs_.empty() ? 0 : 1;
   for (int i = 0; i < 4; ++i) {
-    const double clearance = this->clearance(mesh_.tet(t).v[i]), radius_sq = clearance * clearance;
+    const double clearance = this->clearance(v[i]), radius = std::max(0.0, std::abs(clearance) - shift);
     double farthest_sq = 0;
     for (int j = 0; j < 4; ++j) farthest_sq = std::max(farthest_sq, dist_sq(corners[i], corners[j]));
-    if (farthest_sq < radius_sq) return clearance < 0;
+    if (farthest_sq < radius * radius) return clearance < 0;
   }
   ++stats_.domain_tests;
-  return meets_domain(corners);
+  return domain_.meets(
+      {output_position(v[0]), output_position(v[1]), output_position(v[2]), output_position(v[3])});
 }
 
 double Refinement::size_at(const Vec3& p) const {

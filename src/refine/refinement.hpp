@@ -61,9 +61,12 @@ class Refinement {
   /// t's refinement vertex with the finest label; kNoVertex where all corners are input vertices.
   VertexId finest_corner(TetId t) const;
 
-  /// Could the interior of t meet the domain? No is certain.
+  /// v in the caller's coordinates, as it is written: input vertices bit for bit.
+  Vec3 output_position(VertexId v) const {
+    return is_input(v) ? given_[inputs_.sites().first_point[site(v)]] : world_.to_caller(mesh_.point(v));
+  }
+  /// Could the interior of t, as it is written, meet the domain? No is certain.
   bool meets_domain(TetId t);
-  bool meets_domain(const Tet& world_tet) const;
   bool contains(const Vec3& p) const { return domain_.contains(world_.to_caller(p)); }
   /// See Domain::clearance; asked once a vertex.
   double clearance(VertexId v);
@@ -111,7 +114,7 @@ class Refinement {
   Tet to_caller(const Tet& t) const;
   std::optional<double> varying_size_if_defined(const Vec3& p) const;
   void start_from_cube();
-  void insert_inputs(std::span<const Vec3> inputs);
+  void insert_inputs();
   bool has_outside_input(TetId t) const;
   void add_vertex_arrays(Level label, double lfs_bound);
   void report_progress();
@@ -125,6 +128,7 @@ class Refinement {
   Box3 caller_bounds_, domain_box_;
   double lipschitz_, constant_size_ = 0, size_cap_, size_floor_;
   exact::QualityBounds bounds_;
+  std::span<const Vec3> given_;  ///< the caller's input vertices
   Inputs inputs_;
   VertexId first_input_ = 0;              ///< input vertices are numbered in a row from here
   std::vector<VertexId> site_of_vertex_;  ///< by vertex - first_input_
