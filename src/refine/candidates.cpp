@@ -46,7 +46,7 @@ double inherited_lfs_bound(const Refinement& r, TetId t, const Vec3& w) {
 }
 
 std::optional<Vec3> first_in_tangent_ball(Refinement& r, TetId t, VertexId v, Level level) {
-  const geom::Sphere sphere = geom::circumsphere(r.mesh().corners(t));
+  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
   const double radius = lattice::covering_radius(level);
   const Vec3 position = r.mesh().point(v);
   const Vec3 center = position + radius / std::sqrt(sphere.radius_sq) * (sphere.center - position);
@@ -56,7 +56,7 @@ std::optional<Vec3> first_in_tangent_ball(Refinement& r, TetId t, VertexId v, Le
 }
 
 std::optional<Vec3> first_in_circumsphere(Refinement& r, TetId t, Level level) {
-  const geom::Sphere sphere = geom::circumsphere(r.mesh().corners(t));
+  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
   std::vector<Vec3> points;
   lattice::points_in_ball(level, sphere.center, std::sqrt(sphere.radius_sq), points);
   return first_in_conflict(r, t, points);
@@ -92,7 +92,7 @@ std::optional<Candidate> admissible(Refinement& r, TetId t, const Vec3& w, Level
 }  // namespace
 
 std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level finest) {
-  const geom::Sphere sphere = geom::circumsphere(r.mesh().corners(t));
+  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
   const double radius = std::sqrt(sphere.radius_sq);
   std::vector<Vec3> points;
   for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {

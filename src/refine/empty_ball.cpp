@@ -78,7 +78,7 @@ std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
 /// of p: the mean of the squared distances to the corners, weighted by p's barycentric coordinates, is
 /// exactly R^2 - d^2. And s(p) >= s(c) - L d, so that R sqrt(1 + L^2) <= s(c) covers all of t.
 bool EmptyBallSearch::circumsphere_covers(TetId t) {
-  sphere_ = geom::circumsphere(r_.mesh().corners(t));
+  sphere_ = circumsphere(r_.mesh().corners(t));
   double least = std::max(floor_, r_.smallest_size());
   if (sphere_.radius_sq * (1 + 3 * kRounding) <= square(least)) return true;
   const double radius = std::sqrt(sphere_.radius_sq) * (1 + kRounding), lipschitz = r_.lipschitz();
@@ -212,15 +212,20 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hu
   const double share = radius <= hurry * size ? 1 - hurry : 1 - kSizeSlack;
   if (listed_sq <= square(share * size)) return std::nullopt;
   if (radius > kWitnessSlack * size && !cell.inside && !r_.contains(ball.center)) return std::nullopt;
-  if (listed_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
+  // The size step beside input vertices counts on a ball that holds none of them.
+  const bool nearly = listed_sq <= square((1 - kSizeSlack) * size);
+  if (nearly && r_.inputs().empty()) return insert_rather_than_prove(ball, t);
   vertices_.push_back(r_.mesh().point(r_.nearest_vertex(ball.center, t)));
-  if (dist_sq(vertices_.back(), ball.center) <= square((1 - kSizeSlack) * size)) return std::nullopt;
+  const double nearest_sq = dist_sq(vertices_.back(), ball.center);
+  if (nearest_sq <= square(share * size)) return std::nullopt;
+  if (nearest_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
   return ball;
 }
 
 /// To show that a small cell is covered can cost more than a vertex, or not end where the bound is attained.
 /// Where its centre is nearly uncovered the vertex is inserted at once: its certificate, c s(p) + |pw|, does
-/// not depend on emptiness. If it is there already, it joins the list.
+/// not depend on emptiness (beside input vertices: only on a ball of radius 1 - hurry, see guarantees.hpp).
+/// If it is there already, it joins the list.
 std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBall& ball, TetId t) {
   const Vec3 w = point_for(ball).w;
   if (std::find(vertices_.begin(), vertices_.end(), w) != vertices_.end()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace unsliver::refine {
 namespace {
 
 bool circumradius_exceeds(const Refinement& r, TetId t, Level level) {
-  return exceeds(geom::circumsphere(r.mesh().corners(t)).radius_sq, lattice::covering_radius(level));
+  return exceeds(circumsphere(r.mesh().corners(t)).radius_sq, lattice::covering_radius(level));
 }
 
 /// Quality enforcement of Figure 5, Cases 1 and 2.

@@ -24,7 +24,7 @@ constexpr Level sc(int k) { return 2 * k + 1; }
 /// One bad tetrahedron.
 struct Bad {
   Bad(const Refinement& r, TetId tet)
-      : t(tet), sphere(geom::circumsphere(r.mesh().corners(tet))), v(r.finest_corner(tet)) {
+      : t(tet), sphere(circumsphere(r.mesh().corners(tet))), v(r.finest_corner(tet)) {
     for (const VertexId corner : r.mesh().tet(tet).v)
       if (r.is_input(corner)) inputs.push_back(r.mesh().point(corner));
   }
@@ -171,7 +171,7 @@ void figure_8_thrifty(Refinement& r) {
   RadiusQueue queue;
   const auto push_if_bad = [&](TetId t) {
     if (r.mesh().is_finite(t) && r.is_bad(t))
-      queue.push(queued(r, t), geom::circumsphere(r.mesh().corners(t)).radius_sq);
+      queue.push(queued(r, t), circumsphere(r.mesh().corners(t)).radius_sq);
   };
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) push_if_bad(t);
   while (const auto next = queue.pop()) {

@@ -37,6 +37,8 @@ double fit_radius(const Domain& domain, const Sizing& sizing, Strategy strategy)
   return known ? (1 - kSizeSlack) * s : 0;
 }
 
+double norm_inf(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
 Box3 box_of(const Domain& domain, std::span<const Vec3> inputs) {
   Box3 box = domain.bounds();
   for (const Vec3& p : inputs) box.extend(p);
@@ -81,7 +83,8 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
 
 void Refinement::start_from_cube() {
   const double c = grading_guarantee(options_.strategy, !inputs_.empty()).c;
-  const double lfs_bound = kCubeCorner * std::sqrt(3.0) + (c + 1) * size_cap_;
+  const double farthest = kCubeCorner + std::max({norm_inf(domain_box_.lo), norm_inf(domain_box_.hi)});
+  const double lfs_bound = farthest * std::sqrt(3.0) + c * size_cap_;
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{i & 1 ? kCubeCorner : -kCubeCorner, i & 2 ? kCubeCorner : -kCubeCorner,
                       i & 4 ? kCubeCorner : -kCubeCorner};
@@ -99,10 +102,18 @@ void Refinement::insert_inputs() {
   for (VertexId site = 0; site < places.size(); ++site) {
     site_of_vertex_[vertices[site] - first_input_] = site;
     add_vertex_arrays(kNoLabel, std::numeric_limits<double>::infinity());
-    if (domain_.contains(given_[inputs_.sites().first_point[site]])) continue;
+    if (!lies_outside(site)) continue;
     outside_[vertices[site] - first_input_] = true;
     ++outside_count_;
   }
+}
+
+/// By more than rounding: which side of a surface one of its own vertices is on is a toss-up, and some of its
+/// tetrahedra meet the domain anyway.
+bool Refinement::lies_outside(VertexId site) const {
+  constexpr double kRounding = 2;  // units
+  return !domain_.contains(given_[inputs_.sites().first_point[site]]) &&
+         side_of_ball(inputs_.places()[site], kRounding) > 0;
 }
 
 bool Refinement::has_outside_input(TetId t) const {

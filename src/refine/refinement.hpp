@@ -16,6 +16,7 @@
 #include "geom/tetrahedron.hpp"
 #include "lattice/level.hpp"
 #include "lattice/world.hpp"
+#include "refine/circumsphere.hpp"
 #include "refine/inputs.hpp"
 #include "unsliver/refine.hpp"
 
@@ -115,6 +116,7 @@ class Refinement {
   std::optional<double> varying_size_if_defined(const Vec3& p) const;
   void start_from_cube();
   void insert_inputs();
+  bool lies_outside(VertexId site) const;
   bool has_outside_input(TetId t) const;
   void add_vertex_arrays(Level label, double lfs_bound);
   void report_progress();

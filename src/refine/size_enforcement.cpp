@@ -1,5 +1,7 @@
 #include "refine/size_enforcement.hpp"
 
+#include <cassert>
+
 #include "refine/guarantees.hpp"
 
 namespace unsliver::refine {
@@ -9,7 +11,9 @@ void insert_for_size(Refinement& r, const EmptyBallSearch& search, const EmptyBa
   const bool literal = r.strategy() == Strategy::kLiteral;
   const double c = grading_guarantee(r.strategy(), !r.inputs().empty()).c;
   const Level label = literal ? level : r.inputs().coarsest_label(w, level);
-  r.insert(w, label, c * ball.size + dist(w, ball.center), near);
+  const double lfs_bound = c * ball.size + dist(w, ball.center);
+  assert(r.inputs().empty() || lfs_bound <= figure_8_tight_budget(label));
+  r.insert(w, label, lfs_bound, near);
   ++r.stats().size_insertions;
 }
 
