@@ -41,6 +41,9 @@ struct VerifyOptions {
   /// Coverage: these points (surface vertices and samples, domain samples) must lie in the union of
   /// tetrahedra (closed, exact).
   std::vector<Vec3> must_cover;
+  /// Points of must_cover with a covered point within this distance along the axes count as covered: rounding
+  /// takes a sample of a surface off it, and with input vertices the mesh may end at the surface.
+  double cover_tolerance = 0;
 
   /// Grading: distance from each vertex to its nearest neighbour >= grading_constant * lfs_lower_bound(v).
   std::function<double(const Vec3&)> lfs_lower_bound;

@@ -101,6 +101,17 @@ Points close_pairs() {
   return points;
 }
 
+/// Tetrahedra whose circumspheres cancel all digits of doubles.
+Points two_tight_clusters() {
+  const Points dust = random_points(12, 12);
+  Points points;
+  for (int i = 0; i < 12; ++i) {
+    const double corner = i / 6;
+    points.push_back(Vec3{corner, corner, corner} + 1e-9 * dust[i]);
+  }
+  return points;
+}
+
 Points duplicates() {
   Points points = random_points(10, 7);
   points.insert(points.end(), points.begin(), points.end());
@@ -117,26 +128,33 @@ Points boundary() {
 }
 
 std::vector<Job> jobs() {
-  std::vector<Job> all = {{"one", random_points(1, 1)},
-                          {"two", random_points(2, 1)},
-                          {"three", random_points(3, 1)},
-                          {"ten", random_points(10, 1)},
-                          {"a hundred", random_points(100, 1)},
-                          {"plane", plane()},
-                          {"nearly a plane", nearly_plane(), make_box({{0, 0, 0}, {1, 1, 6e-41}})},
-                          {"line", line()},
-                          {"sphere", sphere()},
-                          {"lattice", lattice_points()},
-                          {"helix", helix()},
-                          {"clusters", clusters()},
-                          {"close pairs", close_pairs()},
-                          {"duplicates", duplicates()},
-                          {"all identical", Points(5, Vec3{0.3, 0.3, 0.3})},
-                          {"on the boundary", boundary()}};
+  std::vector<Job> all = {
+      {"one", random_points(1, 1)},
+      {"two", random_points(2, 1)},
+      {"three", random_points(3, 1)},
+      {"ten", random_points(10, 1)},
+      {"a hundred", random_points(100, 1)},
+      {"plane", plane()},
+      {"nearly a plane", nearly_plane(), make_box({{0, 0, 0}, {1, 1, 6e-41}})},
+      {"line", line()},
+      {"sphere", sphere()},
+      {"lattice", lattice_points()},
+      {"helix", helix()},
+      {"clusters", clusters()},
+      {"close pairs", close_pairs()},
+      {"two tight clusters", two_tight_clusters(), make_box({{0, 0, 0}, {1.1, 1.1, 1.1}})},
+      {"duplicates", duplicates()},
+      {"all identical", Points(5, Vec3{0.3, 0.3, 0.3})},
+      {"on the boundary", boundary()}};
   all.push_back({"constant size", random_points(20, 8)});
   all.back().size = constant_size(0.12);
   all.push_back({"graded size in a ball", random_points(20, 9), make_ball({0.5, 0.5, 0.5}, 0.9)});
   all.back().size = graded_from_points({{0.2, 0.2, 0.2}}, {0.02}, 0.3, 0.2);
+  all.push_back({"slab, sizes near the spacing", random_points(40, 13), make_box({{0, 0, 0}, {1, 1, 1e-4}})});
+  for (Vec3& p : all.back().inputs) p.z *= 1e-4;
+  all.back().size = constant_size(0.15);
+  all.push_back({"tight clusters and sizes", two_tight_clusters(), make_box({{0, 0, 0}, {1.1, 1.1, 1.1}})});
+  all.back().size = constant_size(0.3);
   all.push_back({"outside the domain", random_points(15, 10), make_ball({0.5, 0.5, 0.5}, 0.3)});
   all.push_back({"far from the origin", random_points(30, 11), make_box({{1e5, 0, 0}, {1e5 + 1, 1, 1}})});
   for (Vec3& p : all.back().inputs) p.x += 1e5;

@@ -235,5 +235,18 @@ TEST(Mutation, OverlapIsSeenByCoverPoints) {
   EXPECT_EQ(findings(verify(mesh, o))["overlap"], 1);
 }
 
+TEST(Mutation, AToleranceCoversPointsThatFarOutsideAndNoFarther) {
+  const TetMesh mesh = single_tet({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}}});
+  VerifyOptions o;
+  o.must_cover = {{1, 1, -0.01}, {-0.01, -0.01, -0.01}, {8.01, 0, 0}, {3, 3, 2.01}};
+  EXPECT_EQ(findings(verify(mesh, o))["cover"], 4);
+  o.cover_tolerance = 0.011;
+  EXPECT_EQ(findings(verify(mesh, o))["cover"], 0);
+  o.cover_tolerance = 0.003;
+  EXPECT_EQ(findings(verify(mesh, o))["cover"], 4);
+  o.cover_tolerance = 0.004;  // the last is 0.01 / 3 away along the diagonal
+  EXPECT_EQ(findings(verify(mesh, o))["cover"], 3);
+}
+
 }  // namespace
 }  // namespace unsliver
