@@ -97,6 +97,7 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   verify_options.guarantee = report.held_to;
   verify_options.delaunay = report.ours;
   verify_options.must_cover = points_to_cover(options.against, report.ours);
+  verify_options.cover_tolerance = sample_rounding(verify_options.must_cover);
   ProgressDisplay display(!options.quiet && stderr_is_terminal());
   report.verified = verify(mesh, verify_options, display.control());
   report.exit_code = report.verified.ok ? ExitCode::kDone : ExitCode::kLimit;

@@ -20,8 +20,6 @@ namespace unsliver::cli {
 namespace {
 
 constexpr std::size_t kCoverSamples = 100'000;
-/// Of a sample's coordinates, relative: a few roundings.
-constexpr double kRounding = 2e-15;
 
 constexpr const char* kNoInside =
     "the size bound was not tested: no point was found inside the surface, which has no volume, or next to "
@@ -185,17 +183,11 @@ bool MeshRun::can_test_size() const {
          !domain_samples(domain, kCoverSamples).empty();
 }
 
-double largest_coordinate(const std::vector<Vec3>& points) {
-  double largest = 0;
-  for (const Vec3& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return largest;
-}
-
 /// An unfinished mesh promises to be a valid Delaunay mesh that covers the domain, and no more.
 VerifyOptions MeshRun::verify_options() const {
   VerifyOptions verify;
   verify.must_cover = points_to_cover();
-  if (inputs()) verify.cover_tolerance = kRounding * largest_coordinate(verify.must_cover);
+  verify.cover_tolerance = sample_rounding(verify.must_cover);
   if (result_.status != MeshStatus::kDone) return verify;
   const MeshOptions& asked = report_.options;
   verify.guarantee = {asked.min_dihedral_deg, asked.max_dihedral_deg, asked.max_radius_edge};

@@ -1,6 +1,7 @@
 #include "samples.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <random>
 
@@ -88,6 +89,13 @@ std::vector<Vec3> surface_samples(const TriangleMesh& surface, std::size_t count
     samples.push_back(point_in_triangle(surface.points[a], surface.points[b], surface.points[c], random));
   }
   return samples;
+}
+
+double sample_rounding(const std::vector<Vec3>& samples) {
+  constexpr double kFewRoundings = 2e-15;
+  double largest = 0;
+  for (const Vec3& p : samples) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return kFewRoundings * largest;
 }
 
 }  // namespace unsliver::cli

@@ -20,4 +20,7 @@ std::vector<Vec3> surface_vertices(const TriangleMesh& surface);
 /// it.
 std::vector<Vec3> surface_samples(const TriangleMesh& surface, std::size_t count);
 
+/// How far rounding may have taken a sample off its surface: a mesh may end in the very plane of a triangle.
+double sample_rounding(const std::vector<Vec3>& samples);
+
 }  // namespace unsliver::cli

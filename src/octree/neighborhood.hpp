@@ -15,7 +15,9 @@ struct LeafView {
   int place;
   Cell cell;
 
-  std::size_t neighbor(int offset) const { return std::size_t(place + offset); }
+  std::size_t neighbor(int offset) const {
+    return static_cast<std::size_t>(place) + static_cast<std::size_t>(offset);
+  }
 };
 
 /// What is beyond a face of a leaf.
