@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <memory>
 
 #include "files.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
 #include "resources.hpp"
 #include "samples.hpp"
-#include "second_nearest.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
 
@@ -199,12 +197,11 @@ VerifyOptions MeshRun::verify_options() const {
   return verify;
 }
 
-/// The smaller of lfs_s, bounded from below, and lfs_i.
 std::function<double(const Vec3&)> MeshRun::local_feature_size(double c) const {
-  auto lfs_s = lfs_lower_bound(*report_.source->domain, *report_.size->sizing, c);
-  if (!inputs()) return lfs_s;
-  const auto lfs_i = std::make_shared<SecondNearest>(inputs()->set.points);
-  return [lfs_s, lfs_i](const Vec3& p) { return std::min(lfs_s(p), lfs_i->distance(p)); };
+  const Domain& domain = *report_.source->domain;
+  const Sizing& sizing = *report_.size->sizing;
+  return inputs() ? lfs_lower_bound(domain, sizing, c, inputs()->set.points)
+                  : lfs_lower_bound(domain, sizing, c);
 }
 
 void MeshRun::judge() {
