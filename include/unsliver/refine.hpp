@@ -120,5 +120,8 @@ GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices =
 /// Lipschitz constant of s; sizes beyond the domain's diagonal count as that. 0 where s is not defined. The
 /// arguments must outlive the function.
 std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c);
+/// The smaller of that and lfs_i, the distance to the second nearest of the inputs (equal ones count as one).
+std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c,
+                                                   std::vector<Vec3> inputs);
 
 }  // namespace unsliver

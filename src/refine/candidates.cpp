@@ -16,12 +16,6 @@ constexpr double kCoarsestRadius = 2.2;
 // finer level.
 constexpr double kSearchRadius = 1.5;
 
-std::optional<Vec3> first_in_conflict(Refinement& r, TetId t, const std::vector<Vec3>& points) {
-  for (const Vec3& w : points)
-    if (r.mesh().corner_at(t, w) == kNoVertex && r.mesh().in_conflict(t, w)) return w;
-  return std::nullopt;
-}
-
 }  // namespace
 
 void broken_promise(const char* lemma) {
@@ -45,21 +39,14 @@ double inherited_lfs_bound(const Refinement& r, TetId t, const Vec3& w) {
   return bound * (1 + 1e-9);
 }
 
-std::optional<Vec3> first_in_tangent_ball(Refinement& r, TetId t, VertexId v, Level level) {
-  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
+std::vector<Vec3> points_in_tangent_ball(Refinement& r, TetId t, const geom::Sphere& sphere, VertexId v,
+                                         Level level) {
   const double radius = lattice::covering_radius(level);
-  const Vec3 position = r.mesh().point(v);
-  const Vec3 center = position + radius / std::sqrt(sphere.radius_sq) * (sphere.center - position);
-  std::vector<Vec3> points;
-  lattice::points_in_ball(level, center, radius, points);
-  return first_in_conflict(r, t, points);
+  return conflicting_points(r, t, level, tangent_center(sphere, r.mesh().point(v), radius), radius);
 }
 
-std::optional<Vec3> first_in_circumsphere(Refinement& r, TetId t, Level level) {
-  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
-  std::vector<Vec3> points;
-  lattice::points_in_ball(level, sphere.center, std::sqrt(sphere.radius_sq), points);
-  return first_in_conflict(r, t, points);
+std::vector<Vec3> points_in_circumsphere(Refinement& r, TetId t, const geom::Sphere& sphere, Level level) {
+  return conflicting_points(r, t, level, sphere.center, std::sqrt(sphere.radius_sq));
 }
 
 namespace {

@@ -28,17 +28,23 @@ inline bool exceeds(double circumradius_sq, double radius) {
 /// min over t's corners v of lfs_bound(v) + |vw|: Lemma 1.
 double inherited_lfs_bound(const Refinement& refinement, TetId t, const Vec3& w);
 
-/// Literal: a point of `level` in the closed ball of radius r(level) tangent at v inside t's circumsphere,
-/// the first in lexicographic order that is in conflict with t ("by Lemma 3 there exists a point w in B
-/// \ {v}"). Requires t's circumradius > r(level).
-std::optional<Vec3> first_in_tangent_ball(Refinement& refinement, TetId t, VertexId v, Level level);
-
-/// Literal: a point of `level` inside t's circumsphere, the first in lexicographic order (Lemma 6).
-std::optional<Vec3> first_in_circumsphere(Refinement& refinement, TetId t, Level level);
-
 /// The points of `level` in the closed ball that are in conflict with t, in lexicographic order.
 std::vector<Vec3> conflicting_points(Refinement& refinement, TetId t, Level level, const Vec3& center,
                                      double radius);
+
+/// The centre of the ball of this radius that is tangent at v inside a sphere through v.
+inline Vec3 tangent_center(const geom::Sphere& sphere, const Vec3& v, double radius) {
+  return v + radius / std::sqrt(sphere.radius_sq) * (sphere.center - v);
+}
+
+/// conflicting_points in the ball of radius r(level) tangent at v inside t's circumsphere ("by Lemma 3 there
+/// exists a point w in B \ {v}"). Requires t's circumradius > r(level).
+std::vector<Vec3> points_in_tangent_ball(Refinement& refinement, TetId t, const geom::Sphere& sphere,
+                                         VertexId v, Level level);
+
+/// conflicting_points in t's circumsphere (Lemma 6, Corollary 9).
+std::vector<Vec3> points_in_circumsphere(Refinement& refinement, TetId t, const geom::Sphere& sphere,
+                                         Level level);
 
 /// Thrifty: among the levels from the coarsest that can have points inside t's circumsphere down to `finest`,
 /// the first level with an admissible point: in conflict with t and certified within its label's budget. Of

@@ -11,20 +11,16 @@ namespace unsliver::refine {
 
 namespace {
 
-bool circumradius_exceeds(const Refinement& r, TetId t, Level level) {
-  return exceeds(circumsphere(r.mesh().corners(t)).radius_sq, lattice::covering_radius(level));
-}
-
-/// Quality enforcement of Figure 5, Cases 1 and 2.
+/// Quality enforcement of Figure 5, Cases 1 and 2: the first point in lexicographic order.
 Vec3 figure_5_case(Refinement& r, TetId t, VertexId v, Level level) {
-  if (circumradius_exceeds(r, t, level)) {
-    if (auto w = first_in_tangent_ball(r, t, v, level)) return *w;
-    broken_promise("Lemma 3");
-  }
-  if (lattice::is_bcc(level)) broken_promise("Lemma 5");  // Case 1 with a small circumradius cannot be bad
-  ++r.stats().lemma_6_insertions;
-  if (auto w = first_in_circumsphere(r, t, level)) return *w;
-  broken_promise("Lemma 6");
+  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
+  const bool large = exceeds(sphere.radius_sq, lattice::covering_radius(level));
+  if (!large && lattice::is_bcc(level)) broken_promise("Lemma 5");  // Case 1 cannot be bad then
+  if (!large) ++r.stats().lemma_6_insertions;
+  const auto points =
+      large ? points_in_tangent_ball(r, t, sphere, v, level) : points_in_circumsphere(r, t, sphere, level);
+  if (points.empty()) broken_promise(large ? "Lemma 3" : "Lemma 6");
+  return points.front();
 }
 
 void enforce_quality_literally(Refinement& r, TetId t) {

@@ -47,16 +47,6 @@ void insert(Refinement& r, const Bad& bad, const Vec3& w, Level label, double lf
   ++r.stats().quality_insertions;
 }
 
-/// The centre of the ball of this radius that is tangent at v inside t's circumsphere.
-Vec3 tangent_center(const Refinement& r, const Bad& bad, double radius) {
-  const Vec3 v = r.mesh().point(bad.v);
-  return v + radius / std::sqrt(bad.sphere.radius_sq) * (bad.sphere.center - v);
-}
-
-std::vector<Vec3> points_in_circumsphere(Refinement& r, const Bad& bad, Level level) {
-  return conflicting_points(r, bad.t, level, bad.sphere.center, std::sqrt(bad.sphere.radius_sq));
-}
-
 /// "There exists a point w": the literal strategy takes the first in lexicographic order. The thrifty one
 /// prefers a point with an empty region, in a coarse lattice, near c. Requires points.
 Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3>& points) {
@@ -87,7 +77,7 @@ void case_3(Refinement& r, const Bad& bad) {
 /// 2.1: the points of SC_k in a ball B' of radius r(SC_k) that lies in the ball B of that radius + `margin`,
 /// tangent at v, as far as possible from u1.
 std::vector<Vec3> points_of_2_1(Refinement& r, const Bad& bad, const Vec3& u1, int k, double margin) {
-  const Vec3 center = tangent_center(r, bad, covering_radius(sc(k)) + margin);
+  const Vec3 center = tangent_center(bad.sphere, r.mesh().point(bad.v), covering_radius(sc(k)) + margin);
   const double distance = dist(center, u1);
   const Vec3 shift = distance > 0 ? margin / distance * (center - u1) : Vec3{margin, 0, 0};
   return conflicting_points(r, bad.t, sc(k), center + shift, covering_radius(sc(k)));
@@ -103,7 +93,7 @@ void case_2(Refinement& r, const Bad& bad, const Vec3& u1) {
   }
   count(r, large ? Subcase::k21 : Subcase::k22);
   std::vector<Vec3> points =
-      large ? points_of_2_1(r, bad, u1, k, margin) : points_in_circumsphere(r, bad, sc(k));
+      large ? points_of_2_1(r, bad, u1, k, margin) : points_in_circumsphere(r, bad.t, bad.sphere, sc(k));
   std::erase_if(points, [&](const Vec3& w) { return lattice::in_forbidden_region(w, sc(k), u1); });
   if (points.empty()) broken_promise(large ? "Lemma 3" : "Corollary 9");
   const Vec3 w = choose(r, bad, sc(k), points);
@@ -117,8 +107,7 @@ std::vector<Vec3> points_of_case_1(Refinement& r, const Bad& bad, Level level) {
   const bool next_is_bcc = lattice::is_bcc(level);
   if (exceeds(bad.sphere.radius_sq, covering_radius(level))) {
     count(r, next_is_bcc ? Subcase::k111 : Subcase::k121);
-    const double radius = covering_radius(level);
-    auto points = conflicting_points(r, bad.t, level, tangent_center(r, bad, radius), radius);
+    auto points = points_in_tangent_ball(r, bad.t, bad.sphere, bad.v, level);
     if (points.empty()) broken_promise("Lemma 3");
     return points;
   }
@@ -128,7 +117,7 @@ std::vector<Vec3> points_of_case_1(Refinement& r, const Bad& bad, Level level) {
   }
   count(r, next_is_bcc ? Subcase::k113 : Subcase::k123);
   if (next_is_bcc) broken_promise("Lemma 5");
-  auto points = points_in_circumsphere(r, bad, level);
+  auto points = points_in_circumsphere(r, bad.t, bad.sphere, level);
   if (points.empty()) broken_promise("Lemma 6");
   return points;
 }

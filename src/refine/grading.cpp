@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "geom/point_tree.hpp"
 #include "refine/guarantees.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/refine.hpp"
@@ -36,6 +38,16 @@ std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const S
     const double s = std::min(cap, size_or_zero(sizing, p));
     if (!(s > 0) || c * slope <= 1) return c * std::max(0.0, s);
     return std::min(c * s, c * least + std::max(0.0, s - least) / slope);
+  };
+}
+
+std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c,
+                                                   std::vector<Vec3> inputs) {
+  std::sort(inputs.begin(), inputs.end(), lex_less);
+  inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+  const auto tree = std::make_shared<geom::PointTree>(inputs);
+  return [lfs_s = lfs_lower_bound(domain, sizing, c), tree](const Vec3& p) {
+    return std::min(lfs_s(p), std::sqrt(tree->two_nearest(p).second_sq));
   };
 }
 
