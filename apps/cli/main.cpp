@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "interrupts.hpp"
 #include "terminal.hpp"
+#include "usage.hpp"
 
 namespace unsliver::cli {
 namespace {
@@ -20,7 +21,7 @@ constexpr const char* kExamples = R"text(Examples:
   unsliver refine old.msh -o new.msh
   unsliver check spot.vtu --against spot.obj
   unsliver view spot.vtu -o spot.png
-  unsliver mesh --help
+  unsliver help mesh
 
 Exit codes: 0 done and verified; 1 a cap or a limit was met, or a checked mesh is at fault;
 2 bad input or usage; 3 a bug in unsliver.)text";
@@ -43,23 +44,20 @@ ExitCode run_guarded(const Command& command) {
 
 ExitCode usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto subcommands = app.get_subcommands();
-  const auto strangers = app.remaining();
-  if (subcommands.empty() && !strangers.empty()) {
-    say_error("there is no command \"" + strangers.front() + "\". See `unsliver --help`");
-    return ExitCode::kUsage;
-  }
   const std::string topic = subcommands.empty() ? "" : subcommands.front()->get_name() + " ";
-  say_error(std::string(error.what()) + ". See `unsliver " + topic + "--help`");
+  const std::string message = usage_message(app, error);
+  say_error(message + (message.ends_with('?') ? " See `unsliver " : ". See `unsliver ") + topic + "--help`");
   return ExitCode::kUsage;
 }
 
 ExitCode run(int argc, char** argv) {
   CLI::App app(kAbout, "unsliver");
-  app.set_version_flag("--version", "unsliver " UNSLIVER_VERSION);
+  app.set_version_flag("-V,--version", "unsliver " UNSLIVER_VERSION);
   app.require_subcommand(1);
   app.footer(kExamples);
-  const std::array commands = {add_mesh(app),    add_refine(app), add_check(app),
-                               add_convert(app), add_info(app),   add_view(app)};
+  const std::array commands = {add_mesh(app), add_refine(app), add_check(app), add_convert(app),
+                               add_info(app), add_view(app),   add_help(app)};
+  for (const Command& command : commands) check_values(*command.parser);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help and --version

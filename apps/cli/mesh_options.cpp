@@ -5,6 +5,7 @@
 #include "files.hpp"
 #include "text.hpp"
 #include "unsliver/error.hpp"
+#include "usage.hpp"
 
 namespace unsliver::cli {
 namespace {
@@ -77,7 +78,7 @@ void add_quality_options(CLI::App& parser, MeshCommandOptions& options) {
                   "thrifty: few vertices; literal: the paper's figures to the\n"
                   "letter; octree: fastest, for sizes that vary little, without\n"
                   "points. Default auto: octree for a constant size, else thrifty")
-      ->check(CLI::IsMember({"auto", "thrifty", "literal", "octree"}))
+      ->check(one_of({"auto", "thrifty", "literal", "octree"}))
       ->group(group);
   parser.add_flag("--no-verify", options.no_verify, "skip the independent exact check at the end")
       ->group(group);
@@ -153,7 +154,7 @@ Strategy strategy_of(const MeshCommandOptions& options) {
 
 void add_write_options(CLI::App& parser, io::WriteOptions& write) {
   parser.add_option("--format", write.format, "vtu, msh22, msh41, medit or tetgen; default: by extension")
-      ->check(CLI::IsMember({"vtu", "msh22", "msh41", "medit", "tetgen"}));
+      ->check(one_of({"vtu", "msh22", "msh41", "medit", "tetgen"}));
   parser.add_flag("--ascii", write.ascii, "text instead of binary, for Gmsh files");
 }
 

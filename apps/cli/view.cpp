@@ -14,6 +14,7 @@
 #include "terminal.hpp"
 #include "text.hpp"
 #include "unsliver/io.hpp"
+#include "usage.hpp"
 
 namespace unsliver::cli {
 namespace {
@@ -110,7 +111,7 @@ Command add_view(CLI::App& app) {
                      "\"nx ny nz d\", auto (default: through the middle, across\n"
                      "the shortest side) or none");
   parser->add_option("--up", options->up, "the axis that points up: x, y or z (default)")
-      ->check(CLI::IsMember({"x", "y", "z"}));
+      ->check(one_of({"x", "y", "z"}));
   parser->footer(kExamples);
   return {parser, [options] { return run(*options); }};
 }

@@ -175,6 +175,66 @@ class Options(ProgramTest):
         self.refuse(2, "mesh", *BALL, "--format", "dxf", *OUT, saying=["dxf"])
 
 
+class Typing(ProgramTest):
+    """Slips of the keyboard: what was meant is named."""
+
+    def test_mistyped_names(self):
+        cases = [
+            (["mehs", *BALL], '"mehs"', "did you mean mesh?"),
+            (["version"], "did you mean --version?"),
+            (["mesh", *BALL, *OUT, "--sise", "0.4"], "unknown option --sise; did you mean --size?"),
+            (["mesh", *BALL, *OUT, "-size=0.4"], "unknown option -size; did you mean --size?"),
+            (["mesh", *BALL, *OUT, "--edge", "0.4"], "did you mean --edge-length?"),
+            (["mesh", *BALL, *SIZE, "--outptu", "out.vtu"], "did you mean --output?"),
+            (["refine", "old.vtu", "--sise", "0.4", *OUT], "did you mean --size?", "unsliver refine --help"),
+            (["mesh", *BALL, *OUT, "--strategy", "trifty"], "--strategy", "did you mean thrifty?"),
+            (["mesh", *BALL, *OUT, "--format", "vtk"], "did you mean vtu?"),
+            (["help", "veiw"], "did you mean view?"),
+        ]
+        for arguments, *words in cases:
+            with self.subTest(arguments=arguments):
+                self.refuse(2, *arguments, saying=words)
+
+    def test_no_wild_guesses(self):
+        for arguments in [["tessellate"], ["mesh", *BALL, *OUT, "--frobnicate"], ["mesh", *BALL, *OUT, "-q"],
+                          ["mesh", *BALL, *OUT, "--strategy", "lucky"]]:
+            with self.subTest(arguments=arguments):
+                self.assertNotIn("did you mean", self.refuse(2, *arguments).stderr)
+
+    def test_file_without_a_command(self):
+        self.refuse(2, self.cube(), *OUT, saying=["did you mean `unsliver mesh cube.off`?"])
+
+    def test_numbers_without_quotes(self):
+        for numbers in [["0", "0", "0", "1", "1", "1"], ["-1", "-1", "-1", "1", "1", "1"]]:
+            self.refuse(2, "mesh", "--box", *numbers, *OUT, saying=["in quotes"])
+
+    def test_values(self):
+        cases = [
+            (["--size"], "--size needs a value"),
+            (["--size", "0.4", "--size", "0.5"], "--size is given 2 times"),
+            (["--min-angle", "steep"], '--min-angle: "steep" is not a number'),
+            (["--size", ""], "--size: the value is empty"),
+            (["--max-tets", ""], "--max-tets: the value is empty"),
+            (["--json", ""], "--json: the value is empty"),
+            (["-o", ""], "--output: the value is empty"),
+            ([""], "INPUT: the value is empty"),
+        ]
+        for arguments, words in cases:
+            with self.subTest(arguments=arguments):
+                self.refuse(2, "mesh", *BALL, *arguments, saying=[words])
+
+    def test_whole_numbers(self):
+        for worst in ["x", "-1", "1.5"]:
+            self.refuse(2, "check", "a.vtu", "--worst", worst, saying=["--worst", "whole number"])
+
+    def test_required(self):
+        self.refuse(2, "refine", *OUT, saying=["MESH is required (mesh file"])
+
+    def test_help_command(self):
+        self.assertEqual(self.succeed("help").stdout, self.succeed("--help").stdout)
+        self.assertEqual(self.succeed("help", "mesh").stdout, self.succeed("mesh", "--help").stdout)
+
+
 class Outputs(ProgramTest):
     def test_unknown_extension(self):
         self.refuse(2, "mesh", *BALL, *SIZE, "-o", "out.doc", saying=["out.doc"])
