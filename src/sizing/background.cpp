@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "geom/triangle_tree.hpp"
 #include "sizing/background_mesh.hpp"
+#include "sizing/boundary_field.hpp"
 #include "sizing/checks.hpp"
 #include "sizing/tet_linear.hpp"
 #include "sizing/tree_search.hpp"
@@ -30,9 +30,7 @@ class Background final : public Sizing {
       : field_(std::move(field)),
         boxes_(tet_boxes(field_.mesh)),
         tree_(boxes_),
-        boundary_(sizing::boundary_of(field_.mesh)),
-        boundary_tree_(boundary_),
-        is_convex_(sizing::is_convex(boundary_)) {
+        boundary_(sizing::boundary_of(field_.mesh), field_.values) {
     std::vector<double> least;
     for (std::size_t t = 0; t < boxes_.size(); ++t) {
       const auto values = corner_values(t);
@@ -46,26 +44,17 @@ class Background final : public Sizing {
   double at(const Vec3& p) const override {
     std::array<double, 4> weights{};
     const std::uint32_t tet = tet_around(p, weights);
-    return tet == kNone ? at_boundary(p) : interpolated(corner_values(tet), weights);
+    return tet == kNone ? boundary_.at(p) : interpolated(corner_values(tet), weights);
   }
 
   double lower_bound(const Box3& box) const override {
-    const Box3 reached = reached_from(box);
-    const auto node = [&](std::uint32_t n) {
-      return tree_.nodes()[n].box.overlaps(reached) ? node_least_[n] : kInfinity;
-    };
-    const auto item = [&](std::uint32_t t) {
-      if (!boxes_[t].overlaps(reached)) return kInfinity;
-      const sizing::TetLinear f(field_.mesh.corners(t), corner_values(t));
-      return f.may_meet(reached) ? f.lower_bound(reached) : kInfinity;
-    };
-    const double least = sizing::least_item(tree_, kInfinity, node, item).value;
-    return (std::isfinite(least) ? least : node_least_[0]) * (1 - kSlack);
+    const double within = least_within(box);
+    return is_inside(box) ? within : std::min(within, boundary_.lower_bound(box));
   }
 
   /// Inside a convex mesh a segment leads from any point to any other; outside, the projection to a convex
   /// body lengthens no distance. Other shapes may jump across a gap.
-  double lipschitz() const override { return is_convex_ ? steepest_ : kInfinity; }
+  double lipschitz() const override { return boundary_.is_convex() ? steepest_ : kInfinity; }
 
   std::string describe() const override {
     return fmt::format("background mesh of {} points and {} tetrahedra", field_.mesh.points.size(),
@@ -75,7 +64,7 @@ class Background final : public Sizing {
   std::vector<std::string> notes() const override {
     std::vector<std::string> all{
         "outside the background mesh the size is that of the nearest point of its boundary"};
-    if (!is_convex_) {
+    if (!boundary_.is_convex()) {
       all.push_back("the background mesh is not convex (or not conforming), so the size may jump outside it");
     }
     return all;
@@ -89,11 +78,30 @@ class Background final : public Sizing {
     return {field_.values[v[0]], field_.values[v[1]], field_.values[v[2]], field_.values[v[3]]};
   }
 
+  /// Does the mesh hold all of the box? True is certain.
+  bool is_inside(const Box3& box) const {
+    std::array<double, 4> weights;
+    return tet_around(box.center(), weights) != kNone && boundary_.distance_lower_bound(box) > 0;
+  }
+
+  /// At most the size at any point of the box that is in the mesh.
+  double least_within(const Box3& box) const {
+    const Box3 reached = sizing::inflated(box, kSlack * (norm(box.center()) + box.diagonal()));
+    const auto node = [&](std::uint32_t n) {
+      return tree_.nodes()[n].box.overlaps(reached) ? node_least_[n] : kInfinity;
+    };
+    const auto item = [&](std::uint32_t t) {
+      if (!boxes_[t].overlaps(reached)) return kInfinity;
+      const sizing::TetLinear f(field_.mesh.corners(t), corner_values(t));
+      return f.may_meet(reached) ? f.lower_bound(reached) : kInfinity;
+    };
+    return sizing::least_item(tree_, kInfinity, node, item).value * (1 - kSlack);
+  }
+
   /// Weights cut to [0, 1] keep the result between the corner values.
-  template <std::size_t n>
-  static double interpolated(const std::array<double, n>& values, const std::array<double, n>& weights) {
+  static double interpolated(const std::array<double, 4>& values, const std::array<double, 4>& weights) {
     double sum = 0, total = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (int i = 0; i < 4; ++i) {
       const double w = std::clamp(weights[i], 0.0, 1.0);
       sum += w * values[i];
       total += w;
@@ -117,33 +125,10 @@ class Background final : public Sizing {
     return sizing::least_item(tree_, kInsideTolerance, node, item).item;
   }
 
-  double at_boundary(const Vec3& p) const {
-    const auto nearest = boundary_tree_.nearest(p, kInfinity);
-    const auto& v = boundary_.triangles[nearest.triangle];
-    const auto& points = boundary_.points;
-    const auto weights =
-        sizing::triangle_coordinates({points[v[0]], points[v[1]], points[v[2]]}, nearest.point);
-    return interpolated<3>({field_.values[v[0]], field_.values[v[1]], field_.values[v[2]]}, weights);
-  }
-
-  /// A box that holds every point of the mesh from which a point of the given box takes its size.
-  Box3 reached_from(const Box3& box) const {
-    const double radius = 0.5 * box.diagonal();
-    std::array<double, 4> weights;
-    const Vec3 center = box.center();
-    const bool is_inside = tet_around(center, weights) != kNone;
-    if (is_inside && boundary_tree_.distance_lower_bound(box) > 0) return box;
-    const double to_mesh = is_inside ? 0 : boundary_tree_.nearest(center, kInfinity).distance;
-    const double scale = norm(center) + to_mesh + radius;
-    return sizing::inflated(box, to_mesh + radius + kSlack * scale);
-  }
-
   NodalField field_;
   std::vector<Box3> boxes_;
   geom::BoxTree tree_;
-  TriangleMesh boundary_;
-  geom::TriangleTree boundary_tree_;
-  bool is_convex_;
+  sizing::BoundaryField boundary_;
   std::vector<double> node_least_;
   double steepest_ = 0;
 };
@@ -188,6 +173,9 @@ void check_field(const NodalField& field) {
 
 SizingPtr background_size(NodalField field) {
   check_field(field);
+  if (sizing::boundary_of(field.mesh).triangles.empty())
+    throw Error(ErrorCode::kBadInput,
+                "The background mesh has no boundary: each of its tetrahedra is there more than once.");
   return std::make_shared<Background>(std::move(field));
 }
 

@@ -7,7 +7,7 @@
 namespace unsliver::sizing {
 namespace {
 
-constexpr double kFlat = 1e-9;
+constexpr double kFlat = 1e-10;  // sine of the largest inward bend that rounding of coordinates excuses
 
 using Corners = std::array<VertexId, 3>;
 
@@ -49,11 +49,12 @@ std::vector<Edge> sorted_edges(const TriangleMesh& surface) {
   return edges;
 }
 
-bool bends_inwards(const TriangleMesh& surface, const Edge& edge, const Edge& other, double tolerance) {
+bool bends_inwards(const TriangleMesh& surface, const Edge& edge, const Edge& other) {
   const Corners& v = surface.triangles[edge.triangle];
   const Vec3& a = surface.points[v[0]];
   const Vec3 normal = cross(surface.points[v[1]] - a, surface.points[v[2]] - a);
-  return dot(normal, surface.points[other.opposite] - a) > tolerance * norm(normal);
+  const Vec3 across = surface.points[other.opposite] - a;
+  return dot(normal, across) > kFlat * norm(normal) * norm(across);
 }
 
 class Components {
@@ -96,16 +97,12 @@ TriangleMesh boundary_of(const TetMesh& mesh) {
 }
 
 bool is_convex(const TriangleMesh& boundary) {
-  Box3 box;
-  for (const Corners& t : boundary.triangles)
-    for (VertexId v : t) box.extend(boundary.points[v]);
-  const double tolerance = kFlat * box.diagonal();
   const std::vector<Edge> edges = sorted_edges(boundary);
   Components components(boundary.triangles.size());
   for (std::size_t i = 0; i < edges.size(); i += 2) {
     const bool is_pair = i + 1 < edges.size() && edges[i].ends == edges[i + 1].ends;
     const bool is_shared = i + 2 < edges.size() && edges[i].ends == edges[i + 2].ends;
-    if (!is_pair || is_shared || bends_inwards(boundary, edges[i], edges[i + 1], tolerance)) return false;
+    if (!is_pair || is_shared || bends_inwards(boundary, edges[i], edges[i + 1])) return false;
     components.join(edges[i].triangle, edges[i + 1].triangle);
   }
   return components.count() == 1;

@@ -10,7 +10,7 @@ namespace unsliver::sizing {
 TriangleMesh boundary_of(const TetMesh& mesh);
 
 /// Is the boundary one closed surface that bends outwards, or stays flat, at every edge? Then it bounds a
-/// convex body. Bends below 1e-9 of the extent count as flat.
+/// convex body. Bends below 1e-10 rad count as flat.
 bool is_convex(const TriangleMesh& boundary);
 
 }  // namespace unsliver::sizing

@@ -25,6 +25,19 @@ TriangleMesh tetrahedron_surface() {
           "tetrahedron"};
 }
 
+/// Sizes on the unit tetrahedron, and on another away from it: outside both, s jumps where they are as near.
+SizingPtr sizes_at_nodes(bool with_second) {
+  NodalField field;
+  field.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  field.mesh.tets = {{0, 1, 2, 3}};
+  field.values = {0.08, 0.2, 0.3, 0.25};
+  if (!with_second) return background_size(std::move(field));
+  for (const Vec3& p : {Vec3{1, 1, 1}, Vec3{0.7, 1, 1}, Vec3{1, 0.7, 1}, Vec3{1, 1, 0.7}})
+    field.mesh.points.push_back(p), field.values.push_back(0.1);
+  field.mesh.tets.push_back({4, 5, 6, 7});
+  return background_size(std::move(field));
+}
+
 std::vector<Job> jobs() {
   const DomainPtr ball = make_ball({0.1, 0.2, 0.3}, 1);
   const DomainPtr box = make_box({{-1, 0, 2}, {1, 0.5, 3}});
@@ -51,6 +64,8 @@ std::vector<Job> jobs() {
        expression_size("0.6 - sqrt(x^2 + y^2 + z^2)", {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}})},
       {"box, steep size", make_box({{0, 0, 0}, {1, 1, 1}}),
        graded_from_points({{0.3, 0.4, 0.5}}, {0.01}, 10, 0.3)},
+      {"box that reaches past the size mesh", make_box({{-0.2, 0, 0}, {1, 1, 1}}), sizes_at_nodes(false)},
+      {"box between two size meshes", make_box({{0, 0, 0}, {1, 1, 1}}), sizes_at_nodes(true)},
       {"torus, constant", torus, constant_size(0.12)},
       {"small ball far away, constant", far, constant_size(0.002)},
       {"surface, constant", solid, constant_size(0.2)},

@@ -80,6 +80,7 @@ TEST(BackgroundSize, IsSoundAndTightForRandomFields) {
     EXPECT_LT(s->lipschitz(), kInf);
     expect_sound(*s, kAround, 700);
     expect_tight(*s, {{0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}}, 2 * s->lipschitz(), 1e-7);
+    expect_tight(*s, {{-3, -3, -3}, {4, 4, 4}}, 2 * s->lipschitz(), 1e-6);
   }
 }
 
@@ -115,6 +116,13 @@ TEST(BackgroundSize, NonConvexMeshesClaimNoLipschitzConstant) {
   EXPECT_EQ(s->lipschitz(), kInf);
   EXPECT_EQ(s->notes().size(), 2u);
   expect_sound(*s, kAround, 1000);
+}
+
+TEST(BackgroundSize, DoubledTetrahedraAreRefused) {
+  Random random(8);
+  NodalField f = random_field(cube_mesh(1), random);
+  f.mesh.tets.insert(f.mesh.tets.end(), f.mesh.tets.begin(), f.mesh.tets.end());
+  expect_error([&] { background_size(f); }, ErrorCode::kBadInput, "more than once");
 }
 
 TEST(BackgroundMesh, TellsConvexFromOther) {
