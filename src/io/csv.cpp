@@ -90,6 +90,9 @@ class CsvReader {
 
   PointSet read() {
     while (!scanner_.at_end()) read_line(scanner_.line());
+    if (set_.points.empty() && columns_.count > 0)
+      fail(ErrorCode::kBadInput, "{}: the file has a header, but no points: no line with numbers follows it",
+           scanner_.name());
     return std::move(set_);
   }
 

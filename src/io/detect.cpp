@@ -8,6 +8,8 @@
 namespace unsliver::io {
 namespace {
 
+constexpr std::string_view kText = "some other text";
+
 struct Signature {
   std::string_view start;
   std::string_view meaning;
@@ -36,6 +38,14 @@ std::string_view skip_leading_space(std::string_view bytes) {
   return first == std::string_view::npos ? std::string_view{} : bytes.substr(first);
 }
 
+/// That is not blank, cut where it is long.
+std::string first_line(std::string_view bytes) {
+  constexpr std::size_t kShown = 40;
+  const std::string_view text = skip_leading_space(bytes);
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line.size() <= kShown ? std::string(line) : std::string(line.substr(0, kShown)) + "...";
+}
+
 bool is_text(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](char c) {
     const auto u = static_cast<unsigned char>(c);
@@ -58,14 +68,15 @@ std::string_view guess_content(std::string_view bytes) {
   const std::string_view head = skip_leading_space(bytes.substr(0, 512));
   for (const Signature& signature : kSignatures)
     if (head.starts_with(signature.start)) return signature.meaning;
-  return is_text(head) ? "some other text" : "binary data";
+  return is_text(head) ? kText : "binary data";
 }
 
 void fail_wrong_content(std::string_view bytes, const std::string& name, std::string_view expected) {
   if (skip_leading_space(bytes).empty())
     fail(ErrorCode::kBadInput, "{}: the file is empty; expected {}", name, expected);
-  fail(ErrorCode::kFormat, "{}: expected {}; the content looks like {}", name, expected,
-       guess_content(bytes));
+  const std::string_view guess = guess_content(bytes);
+  const std::string start = guess == kText ? ", '" + first_line(bytes) + "'" : "";
+  fail(ErrorCode::kFormat, "{}: expected {}; the content looks like {}{}", name, expected, guess, start);
 }
 
 }  // namespace unsliver::io

@@ -113,14 +113,28 @@ std::vector<std::string> names_of(const Formats& formats) {
   return names;
 }
 
-[[noreturn]] void fail_unknown_extension(const fs::path& path, const char* kind, std::string_view known) {
-  const std::string extension = extension_of(path);
-  fail(ErrorCode::kUnsupported, "'{}': {} is no extension of a {}; known are {}", path.string(),
-       extension.empty() ? "none" : "'" + extension + "'", kind, known);
-}
-
 bool has_extension(const TetMeshFormat& format, const std::string& extension) {
   return !extension.empty() && std::count(format.extensions.begin(), format.extensions.end(), extension) > 0;
+}
+
+/// What a file with this extension is; empty if it is nothing that is read here.
+std::string_view kind_of(const std::string& extension) {
+  for (const SurfaceFormat& format : kSurfaceFormats)
+    if (extension == format.extension) return "surface";
+  for (const TetMeshFormat& format : kTetMeshFormats)
+    if (has_extension(format, extension)) return "tetrahedral mesh";
+  for (const PointFormat& format : kPointFormats)
+    if (extension == format.extension) return "file of points";
+  return {};
+}
+
+[[noreturn]] void fail_unknown_extension(const fs::path& path, std::string_view wanted,
+                                         std::string_view known) {
+  const std::string extension = extension_of(path);
+  const std::string_view kind = kind_of(extension);
+  const std::string is = kind.empty() ? "no extension" : fmt::format("the extension of a {}, not", kind);
+  fail(ErrorCode::kUnsupported, "'{}': {} is {} of a {}; known are {}", path.string(),
+       extension.empty() ? "none" : "'" + extension + "'", is, wanted, known);
 }
 
 const TetMeshFormat& format_by_extension(const fs::path& path) {

@@ -1,5 +1,6 @@
 /// \file
 /// TetGen .node, .ele and .face.
+#include "io/boundary_facets.hpp"
 #include "io/output.hpp"
 #include "io/writers.hpp"
 
@@ -29,6 +30,18 @@ void write_elements(Output& out, const std::vector<std::array<VertexId, N>>& ele
   }
 }
 
+void write_faces(Output& out, const std::vector<std::array<VertexId, 3>>& triangles,
+                 const std::vector<std::int32_t>& labels) {
+  out.print(triangles.size(), " ", labels.empty() ? 0 : 1, "\n");
+  write_elements(out, triangles, labels);
+}
+
+// TetGen marks what lies on the boundary with 1 where the user gave no markers.
+void write_boundary(Output& out, const TetMesh& mesh) {
+  const auto facets = boundary_facets(mesh);
+  write_faces(out, facets, std::vector<std::int32_t>(facets.size(), 1));
+}
+
 }  // namespace
 
 void write_tetgen(const std::filesystem::path& path, const TetMesh& mesh) {
@@ -38,8 +51,10 @@ void write_tetgen(const std::filesystem::path& path, const TetMesh& mesh) {
   write_nodes(node, mesh);
   ele.print(mesh.tets.size(), " 4 ", mesh.regions.empty() ? 0 : 1, "\n");
   write_elements(ele, mesh.tets, mesh.regions);
-  face.print(mesh.triangles.size(), " ", mesh.triangle_labels.empty() ? 0 : 1, "\n");
-  write_elements(face, mesh.triangles, mesh.triangle_labels);
+  if (mesh.triangles.empty())
+    write_boundary(face, mesh);
+  else
+    write_faces(face, mesh.triangles, mesh.triangle_labels);
   node.commit();
   ele.commit();
   face.commit();

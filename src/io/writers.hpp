@@ -16,7 +16,8 @@ void write_msh22(const std::filesystem::path& path, const TetMesh& mesh, bool as
 /// Elements are grouped by region, as the format demands; the order within a region is kept.
 void write_msh41(const std::filesystem::path& path, const TetMesh& mesh, bool ascii);
 void write_medit(const std::filesystem::path& path, const TetMesh& mesh);
-/// Writes STEM.node, STEM.ele and STEM.face, STEM being `path` without extension. Numbers start at 0.
+/// Writes STEM.node, STEM.ele and STEM.face, STEM being `path` without extension. Numbers start at 0. A mesh
+/// without triangles gets the facets of its boundary, with marker 1 as TetGen's have.
 void write_tetgen(const std::filesystem::path& path, const TetMesh& mesh);
 
 }  // namespace unsliver::io

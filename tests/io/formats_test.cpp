@@ -30,6 +30,10 @@ TEST(Formats, NamesKnownExtensions) {
   expect_error(ErrorCode::kUnsupported, {"'a.step'", "'.step'", ".stl, .obj, .off and .ply"},
                [] { read_surface("a.step"); });
   expect_error(ErrorCode::kUnsupported, {"'a'", "none is no extension", ".vtu"}, [] { read_tet_mesh("a"); });
+  expect_error(ErrorCode::kUnsupported, {"'.vtu' is the extension of a tetrahedral mesh, not of a surface"},
+               [] { read_surface("a.vtu"); });
+  expect_error(ErrorCode::kUnsupported, {"'.csv' is the extension of a file of points"},
+               [] { read_tet_mesh("a.csv"); });
   expect_error(ErrorCode::kUnsupported, {"'a.stl'", ".msh"}, [] { write_tet_mesh("a.stl", sample_mesh()); });
   expect_error(ErrorCode::kUnsupported, {"sizing mesh", ".sol"}, [] { read_sizing_mesh("a.vtu"); });
 }

@@ -35,7 +35,7 @@ TEST(Xyz, ReadsTheChemistsForm) {
 TEST(Xyz, NamesFaults) {
   expect_fault(parse_xyz, "", ErrorCode::kBadInput, "the file is empty; expected an XYZ file");
   expect_fault(parse_xyz, " \n\n", ErrorCode::kBadInput, "the file is empty");
-  expect_fault(parse_xyz, "# only this\n", ErrorCode::kFormat, "some other text");
+  expect_fault(parse_xyz, "# only this\n", ErrorCode::kFormat, "some other text, '# only this'");
   expect_fault(parse_xyz, "H 0 0 0\n", ErrorCode::kFormat, "a line with the number of atoms");
   expect_fault(parse_xyz, "PK\x03\x04....", ErrorCode::kFormat, "a zip archive; unpack it first");
   expect_fault(parse_xyz, "0 0 0\n1 1\n", ErrorCode::kFormat,
@@ -88,7 +88,7 @@ TEST(Csv, KnowsTheNamesOfOthers) {
 
 TEST(Csv, NamesFaults) {
   expect_fault(parse_csv, "", ErrorCode::kBadInput, "the file is empty; expected a CSV file of points");
-  expect_fault(parse_csv, "x,y,z\n", ErrorCode::kFormat, "expected a CSV file of points");
+  expect_fault(parse_csv, "x,y,z\n", ErrorCode::kBadInput, "the file has a header, but no points");
   expect_fault(parse_csv, "x,y,size\n1,2,3\n", ErrorCode::kFormat, "a.txt:1: expected a CSV file of points");
   expect_fault(parse_csv, "0 0 0\n", ErrorCode::kFormat, "found '0 0 0'");
   expect_fault(parse_csv, "x,y,z,X\n1,2,3,4\n", ErrorCode::kFormat,
