@@ -30,14 +30,15 @@ struct ConvertOptions {
 ExitCode run(const ConvertOptions& options) {
   check_readable(options.from);
   check_write_options(options.to, options.write);
+  check_distinct({options.to}, {options.from});
   const TetMesh mesh = io::read_tet_mesh(options.from);
   {
     const interrupts::Hold hold(interrupts::Hold::For::kFile);
     io::write_tet_mesh(options.to, mesh, options.write);
   }
   if (!options.quiet)
-    print_result(fmt::format("{}: {} vertices, {} tetrahedra\n", options.to,
-                             with_separators(mesh.points.size()), with_separators(mesh.tets.size())));
+    print_result(fmt::format("{}: {}, {}\n", options.to, plural(mesh.points.size(), "vertex", "vertices"),
+                             plural(mesh.tets.size(), "tetrahedron", "tetrahedra")));
   return ExitCode::kDone;
 }
 

@@ -1,10 +1,13 @@
 #include "domain_source.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <functional>
 #include <set>
 
 #include "files.hpp"
+#include "formula_error.hpp"
 #include "text.hpp"
 #include "union_of_tets.hpp"
 #include "unsliver/error.hpp"
@@ -13,13 +16,58 @@
 namespace unsliver::cli {
 namespace {
 
+/// The axes, such as "x, z", along which `refused` holds of the lower and the upper coordinate.
+template <typename Refused>
+std::string axes_where(const Box3& box, Refused refused) {
+  std::vector<char> axes;
+  for (int axis = 0; axis < 3; ++axis)
+    if (refused(box.lo[axis], box.hi[axis])) axes.push_back("xyz"[axis]);
+  return fmt::format("{}", fmt::join(axes, ", "));
+}
+
+/// The lower corner comes first. \throws Error kBadOption that shows the box to type instead.
 Box3 parse_box(const std::string& text, const std::string& option) {
   const auto n = parse_numbers(text, 6, option);
-  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  const Box3 box{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  const std::string told = fmt::format("{} \"{}\": ", option, text);
+  if (const std::string flat = axes_where(box, std::equal_to<>()); !flat.empty())
+    throw Error(ErrorCode::kBadOption, told + "the box has no extent along " + flat);
+  const std::string turned = axes_where(box, std::greater<>());
+  if (turned.empty()) return box;
+  Box3 meant;
+  meant.extend(box.lo);
+  meant.extend(box.hi);
+  throw Error(ErrorCode::kBadOption,
+              fmt::format("{}the first corner must be below the second, but it is above it along {}; "
+                          "type {} \"{} {} {} {} {} {}\"",
+                          told, turned, option, meant.lo.x, meant.lo.y, meant.lo.z, meant.hi.x, meant.hi.y,
+                          meant.hi.z));
+}
+
+/// \throws Error kBadOption for a file that another command or option reads.
+void check_is_surface(const std::string& path) {
+  if (is_tet_mesh_file(path))
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{0}: this is a mesh, not a surface. `unsliver refine {0}` refines its slivers "
+                            "away; --points {0} takes its vertices alone",
+                            path));
+  if (is_point_file(path))
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{0}: these are points, not a surface: say --points {0}", path));
+}
+
+void check_is_mesh(const std::string& path) {
+  if (is_surface_file(path))
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{0}: this is a surface, not a mesh: say `unsliver mesh {0}`", path));
+  if (is_point_file(path) && !is_tet_mesh_file(path))
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{0}: these are points, not a mesh: say `unsliver mesh --points {0}`", path));
 }
 
 DomainSource from_file(const std::string& path) {
   check_readable(path);
+  check_is_surface(path);
   DomainSource source{.kind = "surface", .label = path, .surface = io::read_surface(path)};
   source.domain = make_surface(*source.surface);
   return source;
@@ -28,6 +76,11 @@ DomainSource from_file(const std::string& path) {
 DomainSource from_ball(const std::string& text) {
   const auto n = parse_numbers(text, 4, "--ball");
   return {.kind = "ball", .label = "ball " + text, .domain = make_ball({n[0], n[1], n[2]}, n[3])};
+}
+
+DomainSource from_formula(const std::string& formula, const Box3& bounds) {
+  const auto make = [&](const std::string& text) { return make_implicit(text, bounds); };
+  return {.kind = "implicit", .label = formula + " <= 0", .domain = of_formula("--implicit", formula, make)};
 }
 
 DomainSource from_points(const InputVertices& inputs) {
@@ -42,13 +95,13 @@ std::set<std::int32_t> regions_of(const TetMesh& mesh) { return {mesh.regions.be
 std::vector<std::string> notes_on(const TetMesh& mesh, const QualitySummary& quality, std::size_t used) {
   std::vector<std::string> notes;
   if (used < mesh.points.size())
-    notes.push_back(fmt::format("left out: {} of {} vertices, which are in no tetrahedron",
+    notes.push_back(fmt::format("left out: {} of {}, in no tetrahedron",
                                 with_separators(mesh.points.size() - used),
-                                with_separators(mesh.points.size())));
+                                plural(mesh.points.size(), "vertex", "vertices")));
   if (quality.inverted + quality.flat > 0)
-    notes.push_back(fmt::format("{} of {} tetrahedra are inverted, {} flat",
-                                with_separators(quality.inverted), with_separators(quality.tets),
-                                with_separators(quality.flat)));
+    notes.push_back(fmt::format("{} of {} {} inverted, {} flat", with_separators(quality.inverted),
+                                plural(quality.tets, "tetrahedron", "tetrahedra"),
+                                quality.tets == 1 ? "is" : "are", with_separators(quality.flat)));
   if (const std::size_t regions = regions_of(mesh).size(); regions > 1)
     notes.push_back(fmt::format("the result has no regions: the union of all {} is refined", regions));
   return notes;
@@ -63,6 +116,7 @@ InputVertices vertices_of(const std::string& path, const TetMesh& mesh) {
 
 DomainSource from_tets(const std::string& path) {
   check_readable(path);
+  check_is_mesh(path);
   const TetMesh mesh = io::read_tet_mesh(path);
   DomainSource source{.kind = "tetrahedra", .label = path, .surface = boundary_surface(mesh)};
   source.surface->name = path;
@@ -80,9 +134,7 @@ DomainSource named_domain(const DomainRequest& request) {
   if (request.box)
     return {
         .kind = "box", .label = "box " + *request.box, .domain = make_box(parse_box(*request.box, "--box"))};
-  return {.kind = "implicit",
-          .label = *request.implicit + " <= 0",
-          .domain = make_implicit(*request.implicit, parse_box(*request.bounds, "--bounds"))};
+  return from_formula(*request.implicit, parse_box(*request.bounds, "--bounds"));
 }
 
 /// Of the ways to say where to mesh.

@@ -43,15 +43,23 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, ignored) || plain(a) == plain(b);
 }
 
+bool is_tetgen_file(const fs::path& path) { return among({"node", "ele", "face"}, extension_of(path)); }
+
+/// The extension that a format of meshes goes by.
+std::string extension_for(const std::string& format) {
+  if (format == "tetgen") return "node";
+  if (format == "medit") return "mesh";
+  return format.substr(0, 3);  // msh22, msh41 and vtu
+}
+
 /// The files behind each name: TetGen's come in threes.
 std::vector<fs::path> files_behind(const std::vector<std::string>& names) {
   std::vector<fs::path> files;
   for (const fs::path path : names) {
     if (path.empty() || path == "-" || is_special(path)) continue;
     files.push_back(path);
-    const std::vector<std::string> kTogether = {"node", "ele", "face"};
-    if (!among(kTogether, extension_of(path))) continue;
-    for (const std::string& other : kTogether)
+    if (!is_tetgen_file(path)) continue;
+    for (const std::string other : {"node", "ele", "face"})
       if (other != extension_of(path)) files.push_back(fs::path(path).replace_extension(other));
   }
   return files;
@@ -66,6 +74,27 @@ int store(const fs::path& path, const std::string& content) {
   return stored ? 0 : errno;
 }
 
+/// By its extension. \throws Error kBadOption.
+void check_has_format(const fs::path& path) {
+  if (is_tet_mesh_file(path)) return;
+  const std::string extension = extension_of(path);
+  const std::string fault = extension.empty() ? "the name has no extension, which would say the format"
+                                              : "no mesh format has the extension \"." + extension + "\"";
+  throw Error(ErrorCode::kBadOption,
+              fmt::format("{}: {}; use .vtu, .msh, .mesh or .node, or say --format", path.string(), fault));
+}
+
+/// TetGen's three files are told by extension alone. \throws Error kBadOption.
+void check_goes_by(const fs::path& path, const std::string& format) {
+  const std::string wanted = extension_for(format);
+  const bool fits =
+      format == "tetgen" ? is_tetgen_file(path) : !is_tet_mesh_file(path) || extension_of(path) == wanted;
+  if (!fits)
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("{}: --format {} goes by the extension .{}; change one of them", path.string(),
+                            format, wanted));
+}
+
 }  // namespace
 
 std::string extension_of(const fs::path& path) {
@@ -76,6 +105,7 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
+bool is_point_file(const fs::path& path) { return among(io::point_formats(), extension_of(path)); }
 bool is_surface_file(const fs::path& path) { return among(io::surface_formats(), extension_of(path)); }
 bool is_tet_mesh_file(const fs::path& path) {
   static const std::vector<std::string> kExtensions = {"vtu", "msh", "mesh", "node", "ele", "face"};
@@ -98,13 +128,10 @@ void check_writable(const fs::path& path, const std::string& option) {
 }
 
 void check_mesh_output(const fs::path& path, const std::string& format) {
-  if (format.empty() && !is_tet_mesh_file(path)) {
-    const std::string extension = extension_of(path);
-    const std::string fault = extension.empty() ? "the name has no extension, which would say the format"
-                                                : "no mesh format has the extension \"." + extension + "\"";
-    throw Error(ErrorCode::kBadOption,
-                fmt::format("{}: {}; use .vtu, .msh, .mesh or .node, or say --format", path.string(), fault));
-  }
+  if (format.empty())
+    check_has_format(path);
+  else
+    check_goes_by(path, format);
   check_writable(path, "the output");
 }
 

@@ -13,13 +13,14 @@ std::string extension_of(const std::filesystem::path& path);
 
 bool is_surface_file(const std::filesystem::path& path);
 bool is_tet_mesh_file(const std::filesystem::path& path);
+bool is_point_file(const std::filesystem::path& path);
 
 /// Refuses a path whose directory is missing or not writable, or that is itself a directory.
 /// \throws Error kIo naming the path and `option`.
 void check_writable(const std::filesystem::path& path, const std::string& option);
 
-/// check_writable, and the extension (or `format`, where not empty) is one that tetrahedral meshes are
-/// written in. \throws Error kIo or kBadOption.
+/// check_writable, and the extension is one that tetrahedral meshes are written in; if there is a `format`,
+/// none of another one. \throws Error kIo or kBadOption.
 void check_mesh_output(const std::filesystem::path& path, const std::string& format);
 
 /// No file is both written and read, or written twice, under whatever names. Empty paths, "-", devices and

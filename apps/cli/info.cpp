@@ -91,6 +91,8 @@ Json describe_tet_mesh(const std::string& path) {
   return json;
 }
 
+Vec3 point_of(const Json& json) { return {json[0], json[1], json[2]}; }
+
 std::string value_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_unsigned()) return with_separators(value.get<std::uint64_t>());
@@ -110,16 +112,25 @@ class Rows {
   std::string text_;
 };
 
+/// What was found in the file, before anything is mended.
 void add_defects(Rows& rows, const Json& report) {
+  rows.add("clean", report["clean"].get<bool>() ? "yes" : "no; found in the file:");
   for (const auto& [name, defect] : report["defects"].items())
     if (const auto count = defect["count"].get<std::uint64_t>(); count > 0)
-      rows.add(name, with_separators(count) + "; the first: " + defect["first"].dump());
+      rows.add("- " + name, with_separators(count) + "; the first: " + defect["first"].dump());
   if (!report["self_intersections_complete"].get<bool>())
-    rows.add("self_intersections", "there are more: the search stopped early");
+    rows.add("- self_intersections", "there are more: the search stopped early");
+}
+
+/// What meshing makes of it: the domain, and how it came about.
+void add_notes(Rows& rows, const Json& notes) {
+  for (const auto& note : notes)
+    rows.add(note == notes.front() ? "meshed as" : "- note", note.get<std::string>());
 }
 
 bool has_own_row(const std::string& name, const Json& value) {
-  constexpr std::array kElsewhere = {"unsliver", "command", "exit_code", "self_intersections_complete"};
+  constexpr std::array kElsewhere = {"unsliver", "command", "exit_code", "clean",
+                                     "self_intersections_complete"};
   return std::find(kElsewhere.begin(), kElsewhere.end(), name) == kElsewhere.end() &&
          !(value.is_array() && value.empty());
 }
@@ -128,18 +139,26 @@ std::string to_text(const Json& report) {
   Rows rows;
   for (const auto& [name, value] : report.items())
     if (name == "bounds")
-      rows.add(name, value["lo"].dump() + " to " + value["hi"].dump());
+      rows.add(name, box_text({point_of(value["lo"]), point_of(value["hi"])}));
     else if (name == "defects")
       add_defects(rows, report);
     else if (name == "notes")
-      for (const auto& note : value) rows.add("note", note.get<std::string>());
+      add_notes(rows, value);
     else if (has_own_row(name, value))
       rows.add(name, value_text(value));
   return rows.text();
 }
 
+/// \throws Error kBadOption.
+void check_is_known(const std::string& path) {
+  if (is_surface_file(path) || is_tet_mesh_file(path)) return;
+  throw Error(ErrorCode::kBadOption,
+              path + ": info reads surfaces (.stl .obj .off .ply) and meshes (.vtu .msh .mesh .node .ele)");
+}
+
 ExitCode run(const InfoOptions& options) {
   check_readable(options.file);
+  check_is_known(options.file);
   check_distinct({options.json}, {options.file});
   if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
   Json json = json_head("info", ExitCode::kDone);

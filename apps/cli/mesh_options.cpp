@@ -22,7 +22,9 @@ void add_domain_options(CLI::App& parser, DomainRequest& domain) {
       .add_option("--points", domain.points_file,
                   "points that become vertices of the mesh: .xyz .csv .pqr .node,\n"
                   "or the vertices of any surface or mesh file. With one of the\n"
-                  "above, or alone: the points' bounding box is meshed")
+                  "above, or alone: the points' bounding box is meshed. A size\n"
+                  "at each point: radii of .pqr, or in .csv a column size, radius\n"
+                  "or s, or the 4th where no header names them; .xyz has none")
       ->group("What to mesh (one)");
 }
 
@@ -32,7 +34,9 @@ void add_size_options(CLI::App& parser, SizeRequest& size) {
       .add_option("--size", size.size,
                   "length or formula s(x, y, z), a ball radius: every ball\n"
                   "B(p, s(p)) about a point of the domain holds a vertex.\n"
-                  "Default: diagonal of the domain / 40; with points, none")
+                  "Default: 1/40 of the diagonal of the box around the surface,\n"
+                  "of --box, around the ball, or of --bounds; with points and\n"
+                  "for refine none")
       ->group(group);
   parser
       .add_option("--edge-length", size.edge_length,

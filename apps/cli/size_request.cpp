@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "files.hpp"
+#include "formula_error.hpp"
 #include "samples.hpp"
 #include "text.hpp"
 #include "unsliver/error.hpp"
@@ -65,7 +66,8 @@ bool varies(const SizeRequest& request) {
 
 /// Parsed as typed first, so that columns in error messages are those of the text the user sees.
 SizingPtr formula(const Typed& typed, const Box3& bounds) {
-  SizingPtr plain = expression_size(*typed.text, bounds);
+  SizingPtr plain = of_formula(typed.option, *typed.text,
+                               [&](const std::string& text) { return expression_size(text, bounds); });
   if (typed.factor == 1) return plain;
   return expression_size(fmt::format("{:.17g} * ({})", typed.factor, *typed.text), bounds);
 }

@@ -67,16 +67,13 @@ std::string human_seconds(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-std::string plural(std::uint64_t n, const char* noun) {
-  return with_separators(n) + " " + noun + (n == 1 ? "" : "s");
-}
-
-std::string box_text(const Box3& box) {
-  return fmt::format("[{:.6g}, {:.6g}] x [{:.6g}, {:.6g}] x [{:.6g}, {:.6g}]", box.lo.x, box.hi.x, box.lo.y,
-                     box.hi.y, box.lo.z, box.hi.z);
+std::string plural(std::uint64_t n, const std::string& noun, const std::string& nouns) {
+  return with_separators(n) + " " + (n == 1 ? noun : nouns.empty() ? noun + "s" : nouns);
 }
 
 std::string point_text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+
+std::string box_text(const Box3& box) { return point_text(box.lo) + " to " + point_text(box.hi); }
 
 std::optional<double> parse_number(const std::string& text) {
   std::size_t position = 0;

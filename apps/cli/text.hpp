@@ -11,13 +11,14 @@
 
 namespace unsliver::cli {
 
-std::string with_separators(std::uint64_t n);           ///< "1,234,567"
-std::string human_count(double n);                      ///< "12,345", "1.2 million", "3.5e+17"
-std::string human_bytes(double bytes);                  ///< "1.2 GB" (powers of 1000)
-std::string human_seconds(double seconds);              ///< "0.42 s", "12 s", "3 min 05 s"
-std::string plural(std::uint64_t n, const char* noun);  ///< "1 triangle", "2 triangles"
-std::string box_text(const Box3& box);                  ///< "[0, 1] x [0, 1] x [0, 2]"
-std::string point_text(const Vec3& p);                  ///< "(0, 0.5, 1)"
+std::string with_separators(std::uint64_t n);  ///< "1,234,567"
+std::string human_count(double n);             ///< "12,345", "1.2 million", "3.5e+17"
+std::string human_bytes(double bytes);         ///< "1.2 GB" (powers of 1000)
+std::string human_seconds(double seconds);     ///< "0.42 s", "12 s", "3 min 05 s"
+/// "1 triangle", "2 triangles"; where an s is not enough: "1 vertex", "2 vertices".
+std::string plural(std::uint64_t n, const std::string& noun, const std::string& nouns = "");
+std::string point_text(const Vec3& p);  ///< "(0, 0.5, 1)"
+std::string box_text(const Box3& box);  ///< "(0, 0, 0) to (1, 1, 2)", as the library writes them
 
 /// The number that the whole text is, whatever the locale; none if it is something else (a formula).
 std::optional<double> parse_number(const std::string& text);

@@ -66,12 +66,48 @@ class Surfaces(ProgramTest):
         self.refuse(2, "info", "cube.xyzzy", saying=["cube.xyzzy"])
 
 
+class Kinds(ProgramTest):
+    """A file of another kind than asked for: the command that reads it is named."""
+
+    def test_wrong_kind(self):
+        cases = [
+            ("mesh", "old.vtu", "`unsliver refine old.vtu`", "--points old.vtu"),
+            ("mesh", "atoms.xyz", "--points atoms.xyz"),
+            ("refine", "part.stl", "`unsliver mesh part.stl`"),
+            ("refine", "atoms.csv", "`unsliver mesh --points atoms.csv`"),
+        ]
+        for command, name, *words in cases:
+            with self.subTest(command=command, name=name):
+                self.write(name, "whatever")
+                self.refuse(2, command, name, *OUT, saying=words)
+
+    def test_wrong_kind_for_tools(self):
+        self.write("atoms.csv", "x,y,z\n1,2,3\n")
+        self.cube()
+        self.refuse(2, "check", "cube.off", saying=["the extension of a surface, not of a tetrahedral mesh"])
+        self.refuse(2, "check", "atoms.csv", saying=["the extension of a file of points"])
+        self.refuse(2, "info", "atoms.csv", saying=["surfaces (", "meshes ("])
+
+    def test_points_that_are_none(self):
+        self.write("header.csv", "x,y,z\n")
+        self.refuse(2, "mesh", "--points", "header.csv", *OUT, saying=["header.csv", "a header, but no points"])
+        self.write("header.xyz", "x y z\n1 2 3\n")
+        self.refuse(2, "mesh", "--points", "header.xyz", *OUT, saying=["'x y z'"])
+
+
 class Shapes(ProgramTest):
     def test_zero_volume(self):
         self.refuse(2, "mesh", "--box", "0 0 0 1 0 1", *SIZE, *OUT)
         self.refuse(2, "mesh", "--box", "0 0 1 1 1 0", *SIZE, *OUT)
         self.refuse(2, "mesh", "--ball", "0 0 0 0", *SIZE, *OUT)
         self.refuse(2, "mesh", "--ball", "0 0 0 -1", *SIZE, *OUT)
+
+    def test_box_upside_down(self):
+        self.refuse(2, "mesh", "--box", "0 1 2.5 1 0 -1", *SIZE, *OUT,
+                    saying=["along y, z;", 'type --box "0 0 -1 1 1 2.5"'])
+        self.refuse(2, "mesh", "--box", "0 0 1 1 1 1", *SIZE, *OUT, saying=["no extent along z"])
+        self.refuse(2, "mesh", "--implicit", "x", "--bounds", "1 0 0 0 1 1", *SIZE, *OUT,
+                    saying=["along x;", 'type --bounds "0 0 0 1 1 1"'])
 
     def test_not_finite(self):
         self.refuse(2, "mesh", "--box", "0 0 0 1 1 nan", *SIZE, *OUT, saying=["nan"])
@@ -114,9 +150,17 @@ class Sizes(ProgramTest):
                     self.refuse(2, "mesh", *BALL, option, formula, *OUT)
 
     def test_column_of_a_fault_is_the_users(self):
-        faults = [self.refuse(2, "mesh", *BALL, option, "0.1 + * x", *OUT).stderr
-                  for option in ["--size", "--edge-length"]]
-        self.assertEqual(faults[0], faults[1])
+        caret = "\n  0.1 + * x\n        ^\n"
+        for option in ["--size", "--edge-length"]:
+            self.refuse(2, "mesh", *BALL, option, "0.1 + * x", *OUT, saying=[option, "column 7", caret])
+
+    def test_caret_in_unusual_formulas(self):
+        long = "1 + " * 60
+        self.refuse(2, "mesh", *BALL, "--size", long + "* x + 1", *OUT,
+                    saying=["\n  " + long[190:] + "* x + 1\n  " + 50 * " " + "^\n"])
+        self.refuse(2, "mesh", *BALL, "--size", "1 +\n* x", *OUT, saying=["\n  1 + * x\n      ^\n"])
+        self.refuse(2, "mesh", "--implicit", "x +", "--bounds", "0 0 0 1 1 1", *OUT,
+                    saying=["--implicit: ", "\n  x +\n     ^\n"])
 
     def test_missing_size_mesh(self):
         self.refuse(2, "mesh", *BALL, "--size-mesh", "none.mesh", *OUT, saying=["none.mesh"])
@@ -239,6 +283,11 @@ class Outputs(ProgramTest):
     def test_unknown_extension(self):
         self.refuse(2, "mesh", *BALL, *SIZE, "-o", "out.doc", saying=["out.doc"])
         self.refuse(2, "mesh", *BALL, *SIZE, "-o", "out", saying=["out"])
+
+    def test_extension_of_another_format(self):
+        for name, form in [("out.vtu", "tetgen"), ("out", "tetgen"), ("out.msh", "vtu"), ("out.vtu", "msh41")]:
+            with self.subTest(name=name, format=form):
+                self.refuse(2, "mesh", *BALL, *SIZE, "-o", name, "--format", form, saying=[name, "--format " + form])
 
     def test_missing_directory(self):
         # Before the run: a size that would take hours does not matter.

@@ -102,6 +102,16 @@ class Sizes(MeshTest):
         result = self.succeed("mesh", "--box", "0 0 0 1 1 1", "-o", "out.vtu", "--no-verify")
         self.assertIn("default", result.stdout)
 
+    def test_help_tells_defaults_and_sizes_of_points(self):
+        text = " ".join(self.succeed("mesh", "--help").stdout.split())
+        self.assertIn("Default: 1/40 of the diagonal of the box around the surface, of --box, around the ball, "
+                      "or of --bounds; with points and for refine none", text)
+        self.assertIn("in .csv a column size, radius or s, or the 4th", text)
+
+    def test_default_of_a_formula_is_that_of_its_bounds(self):
+        report = self.mesh("--implicit", "x^2 + y^2 + z^2 - 1", "--bounds", "-2 -2 -2 2 2 2", "--no-verify")
+        self.assertAlmostEqual(report["size"]["constant"], 4 * math.sqrt(3) / 40)
+
     def test_edge_length_is_a_size(self):
         factor = (math.sqrt(5) / 4) / ((3 + 2 * math.sqrt(3)) / 7)
         a = self.mesh(*BALL, "--edge-length", "0.5")

@@ -1,6 +1,7 @@
 """check, convert, info and view."""
 
 import json
+import os
 import struct
 import zlib
 
@@ -96,6 +97,27 @@ class Convert(Tools):
         self.succeed("convert", "a.vtu", "a.msh", "--ascii")
         self.refuse(2, "convert", "a.vtu", "a.mesh", "--ascii", saying=["--ascii"])
 
+    def test_onto_itself(self):
+        mesh = self.folder / self.mesh("a.vtu")
+        (self.folder / "soft.vtu").symlink_to("a.vtu")
+        os.link(mesh, self.folder / "hard.vtu")
+        before = mesh.read_bytes()
+        for name in ["a.vtu", "./a.vtu", mesh, "soft.vtu", "hard.vtu"]:
+            with self.subTest(name=name):
+                self.refuse(2, "convert", "a.vtu", name, saying=["would overwrite an input"])
+        self.assertEqual(mesh.read_bytes(), before)
+
+    def test_counts_of_one(self):
+        self.write("corner.mesh", medit(CORNER, [(0, 1, 2, 3)]))
+        self.assertIn(": 4 vertices, 1 tetrahedron\n", self.succeed("convert", "corner.mesh", "b.vtu").stdout)
+
+    def test_boundary_for_tetgen(self):
+        self.write("corner.mesh", medit(CORNER, [(0, 1, 2, 3)]))
+        self.succeed("convert", "corner.mesh", "b.node")
+        lines = (self.folder / "b.face").read_text().splitlines()
+        self.assertEqual(lines[0], "4 1")
+        self.assertTrue(all(line.endswith(" 1") for line in lines[1:]))
+
     def test_onto_a_surface_format(self):
         self.refuse(2, "convert", self.mesh(), "a.stl", saying=["a.stl"])
 
@@ -108,7 +130,18 @@ class Info(Tools):
         self.assertEqual(report["bounds"], {"lo": [0, 0, 0], "hi": [1, 1, 1]})
         self.assertAlmostEqual(report["signed_volume"], 1)
         self.assertTrue(report["notes"])
-        self.assertIn("12 triangles", self.succeed("info", "cube.off").stdout)
+        text = self.succeed("info", "cube.off").stdout
+        self.assertIn("12 triangles", text)
+        self.assertRegex(text, r"clean +yes\n")
+        self.assertIn("(0, 0, 0) to (1, 1, 1)", text)
+
+    def test_surface_that_is_repaired(self):
+        """What is found in the file and what meshing makes of it are told apart."""
+        triangles = [CUBE_TRIANGLES[0][::-1], *CUBE_TRIANGLES[1:]]
+        self.write("turned.off", off(CUBE_POINTS, triangles))
+        text = self.succeed("info", "turned.off").stdout
+        self.assertRegex(text, r"clean +no; found in the file:\n  - inconsistent edges +3;")
+        self.assertRegex(text, r"meshed as .*clean after repairs\n  - note +1 triangle was turned")
 
     def test_surface_that_cannot_be_meshed(self):
         self.write("flat.off", off([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)]))
