@@ -19,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// File systems take 255 bytes; what is being written has a suffix.
+constexpr std::size_t kLongestName = 230;
+
 bool among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -119,6 +122,8 @@ void check_writable(const fs::path& path, const std::string& option) {
     fail(path, fmt::format("{} cannot be written: there is no directory {}", option, directory.string()));
   if (fs::is_directory(path, ignored))
     fail(path, fmt::format("{} cannot be written: it is a directory", option));
+  if (path.filename().string().size() > kLongestName)
+    fail(path, fmt::format("{} cannot be written: the name is too long", option));
   if (is_special(path)) {
     if (access(path.c_str(), W_OK) != 0) fail(path, option + " cannot be written: no permission");
   } else if (access(directory.c_str(), W_OK) != 0) {
@@ -127,7 +132,19 @@ void check_writable(const fs::path& path, const std::string& option) {
   }
 }
 
+void check_report_file(const std::string& path) {
+  if (path.empty() || path == "-") return;
+  if (is_tet_mesh_file(path) || is_surface_file(path) || is_point_file(path))
+    throw Error(
+        ErrorCode::kBadOption,
+        path + ": --json would write a report into a file for geometry: give it a name like report.json");
+  check_writable(path, "--json");
+}
+
 void check_mesh_output(const fs::path& path, const std::string& format) {
+  if (path == "-")
+    throw Error(ErrorCode::kBadOption,
+                "-: a mesh goes into a file; /dev/stdout with --quiet is standard output");
   if (format.empty())
     check_has_format(path);
   else

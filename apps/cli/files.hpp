@@ -19,6 +19,10 @@ bool is_point_file(const std::filesystem::path& path);
 /// \throws Error kIo naming the path and `option`.
 void check_writable(const std::filesystem::path& path, const std::string& option);
 
+/// Where --json goes: standard output ("-"), nowhere (""), or a writable file whose name is not that of a
+/// mesh, a surface or points, which it would overwrite. \throws Error kIo or kBadOption.
+void check_report_file(const std::string& path);
+
 /// check_writable, and the extension is one that tetrahedral meshes are written in; if there is a `format`,
 /// none of another one. \throws Error kIo or kBadOption.
 void check_mesh_output(const std::filesystem::path& path, const std::string& format);

@@ -160,7 +160,7 @@ ExitCode run(const InfoOptions& options) {
   check_readable(options.file);
   check_is_known(options.file);
   check_distinct({options.json}, {options.file});
-  if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
+  check_report_file(options.json);
   Json json = json_head("info", ExitCode::kDone);
   json["file"] = options.file;
   json.update(is_surface_file(options.file) ? describe_surface(options.file)

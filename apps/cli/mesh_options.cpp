@@ -184,7 +184,7 @@ void check_mesh_files(const MeshCommandOptions& options) {
                            &options.domain.points_file, &options.size.size_mesh})
     read.push_back(path->value_or(""));
   check_distinct({options.output, options.json}, read);
-  if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
+  check_report_file(options.json);
 }
 
 void check_mesh_options(MeshCommandOptions& options) {

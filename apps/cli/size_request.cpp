@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,14 @@ void check_positive(const std::string& option, double value) {
   if (value > 0 && std::isfinite(value)) return;
   throw Error(ErrorCode::kBadOption,
               fmt::format("{} is {}: it must be a positive, finite length", option, value));
+}
+
+/// \throws Error kBadOption for "0,1".
+void check_no_decimal_comma(const std::string& option, std::string text) {
+  const std::string typed = text;
+  std::replace(text.begin(), text.end(), ',', '.');
+  if (parse_number(text))
+    throw Error(ErrorCode::kBadOption, fmt::format("{} is \"{}\": write {}", option, typed, text));
 }
 
 /// The smallest of the constants asked for, as s.
@@ -181,7 +190,10 @@ void check_effects(const SizeRequest& request, const DomainSource& source, bool 
 
 void check_size_request(const SizeRequest& request) {
   for (const Typed& typed : typed_sizes(request))
-    if (const auto number = parse_number(*typed.text)) check_positive(typed.option, *number);
+    if (const auto number = parse_number(*typed.text))
+      check_positive(typed.option, *number);
+    else
+      check_no_decimal_comma(typed.option, *typed.text);
   if (request.gradation && !(*request.gradation > 0 && std::isfinite(*request.gradation)))
     throw Error(ErrorCode::kBadOption,
                 fmt::format("--size-gradation is {}: it must be a positive, finite slope (length per length)",

@@ -45,6 +45,12 @@ std::vector<std::string> option_names(const CLI::App& parser) {
   return names;
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
 std::string unknown_option(const CLI::App& parser, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   return "unknown option " + name + suggestion(name, option_names(parser));
@@ -75,7 +81,9 @@ std::string describe_error(const CLI::App& parser, const CLI::ParseError& error)
                              : name + " needs a value";
 }
 
-std::string refuse_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
+std::string refuse_empty(const std::string& value) {
+  return value.find_first_not_of(" \t\r\n") == std::string::npos ? "the value is empty" : "";
+}
 
 std::string refuse_text(const std::string& value) {
   return parse_number(value) ? "" : fmt::format("\"{}\" is not a number", value);
@@ -127,8 +135,7 @@ void check_values(CLI::App& parser) {
 }
 
 std::string unknown_command(const CLI::App& app, const std::string& name) {
-  std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  std::vector<std::string> known = command_names(app);
   for (const std::string& option : option_names(app)) known.push_back(option);
   const std::string told = fmt::format("there is no command \"{}\"", name);
   std::error_code ignored;
@@ -141,6 +148,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& parser = chosen.empty() ? app : *chosen.front();
   const std::vector<std::string> strangers = parser.remaining();
+  if (strangers.empty() && chosen.empty())
+    return fmt::format("no command is given: {}", fmt::join(command_names(app), ", "));
   if (strangers.empty()) return describe_error(parser, error);
   return chosen.empty() ? unknown_command(app, strangers.front()) : describe_strangers(parser, strangers);
 }

@@ -149,6 +149,9 @@ class Sizes(ProgramTest):
                 with self.subTest(option=option, formula=formula):
                     self.refuse(2, "mesh", *BALL, option, formula, *OUT)
 
+    def test_decimal_comma(self):
+        self.refuse(2, "mesh", *BALL, "--size", "0,25", *OUT, saying=['--size is "0,25": write 0.25'])
+
     def test_column_of_a_fault_is_the_users(self):
         caret = "\n  0.1 + * x\n        ^\n"
         for option in ["--size", "--edge-length"]:
@@ -258,6 +261,7 @@ class Typing(ProgramTest):
             (["--size", "0.4", "--size", "0.5"], "--size is given 2 times"),
             (["--min-angle", "steep"], '--min-angle: "steep" is not a number'),
             (["--size", ""], "--size: the value is empty"),
+            (["--size", " "], "--size: the value is empty"),
             (["--max-tets", ""], "--max-tets: the value is empty"),
             (["--json", ""], "--json: the value is empty"),
             (["-o", ""], "--output: the value is empty"),
@@ -273,6 +277,9 @@ class Typing(ProgramTest):
 
     def test_required(self):
         self.refuse(2, "refine", *OUT, saying=["MESH is required (mesh file"])
+
+    def test_no_command(self):
+        self.refuse(2, saying=["no command is given: mesh, refine"])
 
     def test_help_command(self):
         self.assertEqual(self.succeed("help").stdout, self.succeed("--help").stdout)
@@ -305,6 +312,21 @@ class Outputs(ProgramTest):
                 self.refuse(2, "mesh", "cube.off", *SIZE, "-o", output, "--format", "vtu", "--json", report,
                             saying=["give"])
                 self.assertEqual((self.folder / "cube.off").read_bytes(), cube)
+
+    def test_report_onto_geometry(self):
+        """Not an input of this run, but hardly meant to be lost."""
+        self.cube()
+        self.refuse(2, "mesh", *BALL, *SIZE, *OUT, "--json", "cube.off", saying=["cube.off", "report.json"])
+        self.refuse(2, "info", "cube.off", "--json", "other.vtu", saying=["other.vtu", "report.json"])
+
+    def test_standard_output_is_named(self):
+        self.refuse(2, "mesh", *BALL, *SIZE, "-o", "-", "--format", "msh22", saying=["/dev/stdout"])
+        result = self.succeed("mesh", *BALL, *SIZE, "-o", "/dev/stdout", "--format", "medit", "--quiet")
+        self.assertTrue(result.stdout.startswith("MeshVersionFormatted"))
+
+    def test_name_too_long(self):
+        # Before the run: a size that would take hours does not matter.
+        self.refuse(2, "mesh", *BALL, "--size", "1e-4", "-o", 240 * "x" + ".vtu", saying=["too long"])
 
     def test_missing_directory_is_told_once(self):
         errors = self.refuse(2, "mesh", *BALL, *SIZE, *OUT, "--json", "no/such.json").stderr
