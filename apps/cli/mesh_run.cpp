@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <span>
 
 #include "files.hpp"
 #include "interrupts.hpp"
@@ -34,15 +35,8 @@ bool writes_vtu(const MeshCommandOptions& options) {
   return options.write.format.empty() ? extension_of(options.output) == "vtu" : options.write.format == "vtu";
 }
 
-/// What the vertices beside input points cost: roughly, as measured on random points.
-void add_inputs(std::size_t count, const MeshOptions& options, SizeEstimate& estimate) {
-  const double at_30_degrees = options.strategy == Strategy::kLiteral ? 130 : 45;
-  const double vertices_per_input = at_30_degrees * std::max(1.0 / 3, options.min_dihedral_deg / 30);
-  const double more = 1 + vertices_per_input * static_cast<double>(count) / estimate.vertices;
-  estimate.vertices *= more;
-  estimate.tets *= more;
-  estimate.bytes *= more;
-}
+/// The estimate may be too high by as much; a run that starts is still ended by its caps.
+constexpr double kEstimateError = 2;
 
 class MeshRun {
  public:
@@ -55,7 +49,6 @@ class MeshRun {
   void prepare();
   void check_limits();
   void generate();
-  MeshResult make_mesh();
   void count();
   void judge();
   void write();
@@ -66,6 +59,17 @@ class MeshRun {
   bool can_test_size() const;
   std::vector<Vec3> points_to_cover() const;
   const std::optional<InputVertices>& inputs() const { return report_.source->inputs; }
+
+  /// Errors about the points name them as the file does.
+  template <typename Work>
+  void with_inputs(Work work) {
+    if (!inputs()) return work(std::span<const Vec3>());
+    try {
+      work(std::span<const Vec3>(inputs()->set.points));
+    } catch (const Error& error) {
+      throw with_restored_ids(*inputs(), error);
+    }
+  }
 
   template <typename Work>
   void timed(const std::string& name, Work work) {
@@ -108,8 +112,9 @@ void MeshRun::prepare() {
   if (report_.options.max_memory_bytes == 0) report_.options.max_memory_bytes = available_memory();
   report_.source = make_domain(options_.domain);
   report_.size = make_sizing(options_.size, *report_.source);
-  report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, report_.options);
-  if (inputs()) add_inputs(inputs()->count(), report_.options, *report_.estimate);
+  with_inputs([this](std::span<const Vec3> points) {
+    report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, points, report_.options);
+  });
 }
 
 void MeshRun::check_limits() {
@@ -119,23 +124,28 @@ void MeshRun::check_limits() {
                   human_count(estimate.tets), human_bytes(estimate.bytes));
   if (!options_.quiet) say("expecting " + expected);
   const auto [max_tets, max_memory] = std::pair(report_.options.max_tets, report_.options.max_memory_bytes);
-  const bool too_many = max_tets > 0 && !(estimate.tets <= static_cast<double>(max_tets));
-  const bool too_large = max_memory > 0 && !(estimate.bytes <= static_cast<double>(max_memory));
+  const auto surely_exceeds = [](double expected, std::uint64_t limit) {
+    return limit > 0 && !(expected <= kEstimateError * static_cast<double>(limit));
+  };
+  const bool too_many = surely_exceeds(estimate.tets, max_tets);
+  const bool too_large = surely_exceeds(estimate.bytes, max_memory);
   if (options_.keep_partial || (!too_many && !too_large)) return;
   const std::string limit = too_many ? "--max-tets " + with_separators(max_tets)
                             : options_.mesh.max_memory_bytes > 0
                                 ? "--max-memory " + human_bytes(static_cast<double>(max_memory))
                                 : "the memory available, " + human_bytes(static_cast<double>(max_memory));
   throw Error(ErrorCode::kLimit,
-              fmt::format("expected are {}, more than {}. Ask for {}, raise the limit, or add --keep-partial "
-                          "to run until the "
-                          "limit and keep the unfinished mesh",
-                          expected, limit,
+              fmt::format("expected are {}, more than {} times {}. Ask for {}, raise the limit, or add "
+                          "--keep-partial to run until the limit and keep the unfinished mesh",
+                          expected, kEstimateError, limit,
                           inputs() ? "less (--min-angle, --max-angle, --size)" : "larger elements (--size)"));
 }
 
 void MeshRun::generate() {
-  result_ = make_mesh();
+  with_inputs([this](std::span<const Vec3> points) {
+    result_ = mesh_domain(*report_.source->domain, *report_.size->sizing, points, report_.options,
+                          display_.control());
+  });
   display_.clear();
   report_.stats = result_.stats;
   report_.phases.insert(report_.phases.end(), result_.stats.phases.begin(), result_.stats.phases.end());
@@ -144,17 +154,6 @@ void MeshRun::generate() {
   if (result_.status == MeshStatus::kCancelled && !options_.keep_partial) return;
   count();
   timed("measure", [this] { report_.quality = summarize_quality(result_.mesh); });
-}
-
-MeshResult MeshRun::make_mesh() {
-  const Domain& domain = *report_.source->domain;
-  const Sizing& sizing = *report_.size->sizing;
-  if (!inputs()) return mesh_domain(domain, sizing, report_.options, display_.control());
-  try {
-    return mesh_domain(domain, sizing, inputs()->set.points, report_.options, display_.control());
-  } catch (const Error& error) {
-    throw with_restored_ids(*inputs(), error);
-  }
 }
 
 void MeshRun::count() {

@@ -87,6 +87,10 @@ struct SizeEstimate {
 
 /// From the integral of 1/s^3 over the domain, before anything is meshed; good to a factor of about 1.5.
 SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, const MeshOptions& options);
+/// The same with input vertices: they and what their bad Delaunay tetrahedra cost come on top; good to a
+/// factor of about 2. Takes as long as tetrahedralizing them. \throws Error as mesh_domain does.
+SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                           const MeshOptions& options);
 
 /// A superset mesh of the domain: the Delaunay tetrahedra whose interiors meet it.
 ///
