@@ -39,10 +39,17 @@ struct VerifyOptions {
   std::size_t size_samples = 100000;
 
   /// Coverage: these points (surface vertices and samples, domain samples) must lie in the union of
-  /// tetrahedra (closed, exact).
+  /// tetrahedra (closed, exact), and in the interior of one at most.
   std::vector<Vec3> must_cover;
-  /// Points of must_cover with a covered point within this distance along the axes count as covered: rounding
-  /// takes a sample of a surface off it, and with input vertices the mesh may end at the surface.
+  /// How far a point of must_cover may be off the domain, by the rounding of its coordinates. Two things are
+  /// excused, both decided exactly with the corners and face centres of the cube of this half side around
+  /// the point:
+  /// - a point in no tetrahedron, if one of these is in some: with input vertices the mesh may end at the
+  ///   surface;
+  /// - a point strictly inside two tetrahedra, if not all of these are strictly inside both. Input vertices
+  ///   are kept bit for bit, but the mesh is Delaunay for their places rounded to the grid. Where four of
+  ///   them are coplanar in the surface, a sliver of the grid that does not meet the domain, and is not
+  ///   kept, may be inverted where the vertices really are; its neighbours overlap there, outside the domain.
   double cover_tolerance = 0;
 
   /// Grading: distance from each vertex to its nearest neighbour >= grading_constant * lfs_lower_bound(v).

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "verify/orientation.hpp"
 #include "verify/sampling_checks.hpp"
 
@@ -24,27 +26,14 @@ std::vector<VertexId> finite_points(const Context& c) {
   return ids;
 }
 
-void find_overlap(const Context& c, VertexId point, std::uint32_t first, std::size_t second) {
-  c.reporter.find("overlap", {first, static_cast<std::int64_t>(second)}, [&] {
+void find_overlap(const Context& c, VertexId point, std::uint32_t first, std::uint32_t second) {
+  c.reporter.find("overlap", {first, second}, [&] {
     return "point " + full(c.options.must_cover[point]) + " is strictly inside both " +
            describe_tet(c.mesh, first) + " and " + describe_tet(c.mesh, second);
   });
 }
 
-/// Visits every pair of a tetrahedron and a point that it holds: found(id, tetrahedron, strictly inside).
-template <class Found>
-void visit_holders(const Context& c, const std::vector<Vec3>& points, const std::vector<VertexId>& ids,
-                   const Found& found) {
-  const KdTree tree(points, ids);
-  SignCounts counts;
-  for (std::size_t t = 0; t < c.mesh.tets.size(); ++t) {
-    c.pulse.beat();
-    const Tet corners = c.mesh.corners(t);
-    tree.visit_box(bounding_box(corners), [&](VertexId id, const Vec3& p) {
-      const Side side = locate_in_tet(corners, p, counts);
-      if (side != Side::kOutside) found(id, t, side == Side::kInside);
-    });
-  }
+void add_counts(const Context& c, const SignCounts& counts) {
   c.reporter.report().exact_decisions += counts.exact;
   c.reporter.report().filtered_decisions += counts.filtered;
 }
@@ -62,6 +51,47 @@ std::vector<Vec3> around(const Vec3& p, double half) {
   return points;
 }
 
+/// Is all that the tolerance may take for the point strictly inside the tetrahedron?
+bool holds_deeply(const Context& c, std::uint32_t tet, VertexId point) {
+  const Tet corners = c.mesh.corners(tet);
+  const std::vector<Vec3> points = around(c.options.must_cover[point], c.options.cover_tolerance);
+  SignCounts counts;
+  const bool deep = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+    return locate_in_tet(corners, p, counts) == Side::kInside;
+  });
+  add_counts(c, counts);
+  return deep;
+}
+
+/// For a point strictly inside its holder and another tetrahedron: a finding if both hold it deeply. If only
+/// the other one does, that is the holder from now on, or a third one would be compared with the wrong one.
+bool find_deep_overlap(const Context& c, VertexId point, std::uint32_t& holder, std::uint32_t other) {
+  if (!holds_deeply(c, other, point)) return false;
+  if (!holds_deeply(c, holder, point)) {
+    holder = other;
+    return false;
+  }
+  find_overlap(c, point, holder, other);
+  return true;
+}
+
+/// Visits every pair of a tetrahedron and a point that it holds: found(id, tetrahedron, strictly inside).
+template <class Found>
+void visit_holders(const Context& c, const std::vector<Vec3>& points, const std::vector<VertexId>& ids,
+                   const Found& found) {
+  const KdTree tree(points, ids);
+  SignCounts counts;
+  for (std::uint32_t t = 0; t < c.mesh.tets.size(); ++t) {
+    c.pulse.beat();
+    const Tet corners = c.mesh.corners(t);
+    tree.visit_box(bounding_box(corners), [&](VertexId id, const Vec3& p) {
+      const Side side = locate_in_tet(corners, p, counts);
+      if (side != Side::kOutside) found(id, t, side == Side::kInside);
+    });
+  }
+  add_counts(c, counts);
+}
+
 /// Those of `missed` that have no covered point within the tolerance either.
 std::vector<VertexId> still_missed(const Context& c, const std::vector<VertexId>& missed) {
   if (c.options.cover_tolerance == 0 || missed.empty()) return missed;
@@ -74,18 +104,21 @@ std::vector<VertexId> still_missed(const Context& c, const std::vector<VertexId>
     }
   const std::size_t per_point = points.size() / missed.size();
   std::vector<bool> covered(missed.size());
-  visit_holders(c, points, ids, [&](VertexId id, std::size_t, bool) { covered[id / per_point] = true; });
+  visit_holders(c, points, ids, [&](VertexId id, std::uint32_t, bool) { covered[id / per_point] = true; });
   std::vector<VertexId> left;
   for (std::size_t i = 0; i < missed.size(); ++i)
     if (!covered[i]) left.push_back(missed[i]);
   return left;
 }
 
-std::string verdict(const Context& c, std::uint64_t missed, std::uint64_t tolerated) {
-  if (missed > 0) return grouped(missed) + " NOT covered";
-  if (tolerated == 0) return "all in the union of the tetrahedra (exact)";
-  return "all in the union of the tetrahedra (exact), " + grouped(tolerated) + " of them within " +
-         full(c.options.cover_tolerance) + " of it";
+std::string verdict(const Context& c, std::uint64_t missed, std::uint64_t tolerated, std::uint64_t thin) {
+  const std::string tolerance = full(c.options.cover_tolerance);
+  std::string text =
+      missed > 0 ? grouped(missed) + " NOT covered" : "all in the union of the tetrahedra (exact)";
+  if (missed == 0 && tolerated > 0)
+    text += ", " + grouped(tolerated) + " of them within " + tolerance + " of it";
+  if (thin > 0) text += ", " + grouped(thin) + " overlaps no deeper than " + tolerance;
+  return text;
 }
 
 }  // namespace
@@ -94,9 +127,12 @@ void check_cover(const Context& c) {
   const auto& points = c.options.must_cover;
   const std::vector<VertexId> ids = finite_points(c);
   std::vector<Cover> cover(points.size());
-  visit_holders(c, points, ids, [&](VertexId id, std::size_t t, bool inside) {
-    if (inside && cover[id].inside) find_overlap(c, id, cover[id].holder, t);
-    if (!cover[id].inside) cover[id] = {static_cast<std::uint32_t>(t), inside};
+  std::uint64_t thin_overlaps = 0;
+  visit_holders(c, points, ids, [&](VertexId id, std::uint32_t t, bool inside) {
+    if (!cover[id].inside)
+      cover[id] = {t, inside};
+    else if (inside && !find_deep_overlap(c, id, cover[id].holder, t))
+      ++thin_overlaps;
   });
   std::vector<VertexId> missed;
   for (const VertexId id : ids)
@@ -107,7 +143,7 @@ void check_cover(const Context& c) {
       return "point " + std::to_string(id) + " at " + full(points[id]) + " is in no tetrahedron";
     });
   c.reporter.line("cover: " + grouped(points.size()) + " points, " +
-                  verdict(c, c.reporter.count("cover"), missed.size() - left.size()));
+                  verdict(c, c.reporter.count("cover"), missed.size() - left.size(), thin_overlaps));
 }
 
 }  // namespace unsliver::verifier

@@ -12,7 +12,8 @@ namespace unsliver::verifier {
 /// tetrahedra, by volume; both filtered by inside(). Requires: size and inside.
 void check_size(const Context& context, const KdTree& vertices, const std::vector<VertexId>& used);
 
-/// Findings "cover": a point of must_cover in no (closed) tetrahedron, or strictly inside two ("overlap").
+/// Findings "cover": a point of must_cover in no (closed) tetrahedron, or strictly inside two ("overlap"),
+/// both but for cover_tolerance.
 void check_cover(const Context& context);
 
 /// Findings "grading": a vertex nearer to another than grading_constant * lfs_lower_bound(v) (1 - 1e-12).

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "bcc_mesh.hpp"
@@ -233,6 +234,55 @@ TEST(Mutation, OverlapIsSeenByCoverPoints) {
   VerifyOptions o;
   o.must_cover = {{2, 2, 2}, {0.5, 0.5, 0.5}};
   EXPECT_EQ(findings(verify(mesh, o))["overlap"], 1);
+}
+
+/// Adds a tetrahedron whose base lies at this height, with an apex 8 above it, or below it if `down`.
+void add_on_base(TetMesh& mesh, double height, bool down = false) {
+  const auto first = VertexId(mesh.points.size());
+  for (const Vec3 p : {Vec3{0, 0, 0}, Vec3{8, 0, 0}, Vec3{0, 8, 0}, Vec3{0, 0, down ? -8.0 : 8.0}})
+    mesh.points.push_back(p + Vec3{0, 0, height});
+  mesh.tets.push_back({first, first + 1, first + 2, first + 3});
+  if (down) std::swap(mesh.tets.back()[1], mesh.tets.back()[2]);
+}
+
+/// Two tetrahedra that overlap in a slab, and a cover point in its middle.
+int overlaps(double thickness, double tolerance) {
+  TetMesh mesh;
+  add_on_base(mesh, 0);
+  add_on_base(mesh, thickness, true);
+  VerifyOptions o;
+  o.must_cover = {{1, 1, thickness / 2}};
+  o.cover_tolerance = tolerance;
+  const VerifyReport r = verify(mesh, o);
+  EXPECT_EQ(text(r).find("1 overlaps no deeper than") == std::string::npos, findings(r)["overlap"] == 1)
+      << text(r);
+  EXPECT_EQ(r.finding_count, std::uint64_t(findings(r)["overlap"])) << text(r);
+  return findings(r)["overlap"];
+}
+
+TEST(Mutation, AToleranceExcusesOverlapsThatThinAndNoThicker) {
+  for (const double thickness : {0.5, 0.02, 0x1p-20, 0x1p-49}) {
+    EXPECT_EQ(overlaps(thickness, 0), 1) << thickness;
+    EXPECT_EQ(overlaps(thickness, 0.49 * thickness), 1) << thickness;
+    EXPECT_EQ(overlaps(thickness, 0.5 * thickness), 0) << thickness;
+    EXPECT_EQ(overlaps(thickness, 0.51 * thickness), 0) << thickness;
+  }
+}
+
+TEST(Mutation, AThinOverlapHidesNoThickOne) {
+  std::array<double, 3> bases{-2, -1, 0.005};
+  VerifyOptions o;
+  o.must_cover = {{1, 1, 0.01}};
+  do {
+    TetMesh mesh;
+    for (const double base : bases) add_on_base(mesh, base);
+    o.cover_tolerance = 0;
+    EXPECT_EQ(findings(verify(mesh, o))["overlap"], 2);
+    o.cover_tolerance = 0.006;
+    const VerifyReport r = verify(mesh, o);
+    ASSERT_EQ(findings(r)["overlap"], 1) << text(r);
+    for (const std::int64_t t : r.findings[0].ids) EXPECT_LT(bases[std::size_t(t)], 0);
+  } while (std::next_permutation(bases.begin(), bases.end()));
 }
 
 TEST(Mutation, AToleranceCoversPointsThatFarOutsideAndNoFarther) {
