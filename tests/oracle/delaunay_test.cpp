@@ -1,18 +1,16 @@
 // Our tetrahedralization against CGAL's: the same set of tetrahedra, ties included, in any insertion order.
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <set>
 
+#include "cgal.hpp"
 #include "delaunay/point_sets.hpp"
 #include "delaunay/triangulation.hpp"
 
 namespace unsliver::delaunay {
 namespace {
-
-using Cgal = CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
 
 struct TetLess {
   bool operator()(const Tet& a, const Tet& b) const {
@@ -36,18 +34,8 @@ TetSet ours(const std::vector<Vec3>& points) {
 }
 
 TetSet cgals(const std::vector<Vec3>& points) {
-  std::vector<Cgal::Point> input;
-  for (const Vec3& p : points) input.emplace_back(p.x, p.y, p.z);
-  const Cgal dt(input.begin(), input.end());
   TetSet tets;
-  for (auto cell = dt.finite_cells_begin(); cell != dt.finite_cells_end(); ++cell) {
-    Tet t;
-    for (int i = 0; i < 4; ++i) {
-      const auto& p = cell->vertex(i)->point();
-      t[i] = {p.x(), p.y(), p.z()};
-    }
-    tets.insert(sorted(t));
-  }
+  for (const Tet& t : oracle::cgal_tets(points)) tets.insert(sorted(t));
   return tets;
 }
 

@@ -2,13 +2,12 @@
 // tetrahedra come from outside here, the points do too: corners and centres of leaves, by a walk of our own.
 #include "octree/octree.hpp"
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <limits>
 
+#include "cgal.hpp"
 #include "lattice/world.hpp"
 #include "octree/fit.hpp"
 #include "octree/growth.hpp"
@@ -16,24 +15,6 @@
 
 namespace unsliver::octree {
 namespace {
-
-using Cgal = CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
-std::vector<Tet> cgal_tets(const std::vector<Vec3>& points) {
-  std::vector<Cgal::Point> input;
-  for (const Vec3& p : points) input.emplace_back(p.x, p.y, p.z);
-  const Cgal dt(input.begin(), input.end());
-  std::vector<Tet> tets;
-  for (auto cell = dt.finite_cells_begin(); cell != dt.finite_cells_end(); ++cell) {
-    Tet t;
-    for (int i = 0; i < 4; ++i) {
-      const auto& p = cell->vertex(i)->point();
-      t[std::size_t(i)] = {p.x(), p.y(), p.z()};
-    }
-    tets.push_back(t);
-  }
-  return tets;
-}
 
 void collect_points(const Forest& forest, const Cell& cell, std::vector<Vec3>& points) {
   if (!forest[cell.node].is_leaf()) {
@@ -64,7 +45,7 @@ TEST(OctreeOracle, RandomForestsHaveTheTetrahedraOfCgal) {
     Forest forest = test::random_forest(test::plan_of(seed), seed);
     const std::vector<Vec3> points = points_of(forest);
     const std::vector<Tet> ours = test::as_tets(test::emit(forest));
-    ASSERT_EQ(test::sorted(ours), test::sorted(cgal_tets(points)));
+    ASSERT_EQ(test::sorted(ours), test::sorted(oracle::cgal_tets(points)));
     tets += ours.size();
   }
   EXPECT_GT(tets, 100'000u);
@@ -124,7 +105,7 @@ std::vector<Tet> in_world(const TetMesh& mesh, const lattice::World& world) {
 
 /// CGAL's tetrahedra, of the forest's points, that meet the domain.
 std::vector<Tet> expected_tets(const Job& job, const lattice::World& world, bool all_centers) {
-  std::vector<Tet> tets = cgal_tets(points_of(forest_of(job, world, all_centers)));
+  std::vector<Tet> tets = oracle::cgal_tets(points_of(forest_of(job, world, all_centers)));
   std::erase_if(tets, [&](Tet t) {
     for (Vec3& p : t) p = world.to_caller(p);
     return !job.domain->meets(t);
