@@ -46,8 +46,11 @@ class BasicTriangulation {
   /// For loops over all slots: asks for the corners of a tetrahedron some steps ahead.
   void prefetch_ahead(TetId t) const {
     constexpr TetId kSteps = 8;
-    if (t + kSteps < slot_count())
-      for (const VertexId v : store_[t + kSteps].v) __builtin_prefetch(vertices_.begin() + v);
+    if (t + kSteps < slot_count()) prefetch_corners(t + kSteps);
+  }
+  void prefetch(TetId t) const { store_.prefetch(t); }
+  void prefetch_corners(TetId t) const {
+    for (const VertexId v : store_[t].v) __builtin_prefetch(vertices_.begin() + v);
   }
   const PredicateCounts& counts() const { return counts_; }
   void reserve(std::size_t vertices, std::size_t tets);

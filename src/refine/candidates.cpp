@@ -24,12 +24,20 @@ void broken_promise(const char* lemma) {
                   " of Labelle 2006 promises one: this is a bug in unsliver, please report it");
 }
 
-std::vector<Vec3> conflicting_points(Refinement& r, TetId t, Level level, const Vec3& center, double radius) {
+bool conflicts(const Refinement& r, TetId t, const Vec3& w) {
+  return r.mesh().corner_at(t, w) == kNoVertex && r.mesh().in_conflict(t, w);
+}
+
+std::optional<Vec3> first_conflicting(const Refinement& r, TetId t, std::span<const Vec3> points) {
+  const auto found =
+      std::find_if(points.begin(), points.end(), [&](const Vec3& w) { return conflicts(r, t, w); });
+  return found == points.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<Vec3> points_in_ball(Level level, const Vec3& center, double radius) {
   std::vector<Vec3> points;
+  points.reserve(32);
   lattice::points_in_ball(level, center, radius, points);
-  std::erase_if(points, [&](const Vec3& w) {
-    return r.mesh().corner_at(t, w) != kNoVertex || !r.mesh().in_conflict(t, w);
-  });
   return points;
 }
 
@@ -39,22 +47,26 @@ double inherited_lfs_bound(const Refinement& r, TetId t, const Vec3& w) {
   return bound * (1 + 1e-9);
 }
 
-std::vector<Vec3> points_in_tangent_ball(Refinement& r, TetId t, const geom::Sphere& sphere, VertexId v,
+std::vector<Vec3> points_in_tangent_ball(const Refinement& r, const geom::Sphere& sphere, VertexId v,
                                          Level level) {
   const double radius = lattice::covering_radius(level);
-  return conflicting_points(r, t, level, tangent_center(sphere, r.mesh().point(v), radius), radius);
+  return points_in_ball(level, tangent_center(sphere, r.mesh().point(v), radius), radius);
 }
 
-std::vector<Vec3> points_in_circumsphere(Refinement& r, TetId t, const geom::Sphere& sphere, Level level) {
-  return conflicting_points(r, t, level, sphere.center, std::sqrt(sphere.radius_sq));
+std::vector<Vec3> points_in_circumsphere(const geom::Sphere& sphere, Level level) {
+  return points_in_ball(level, sphere.center, std::sqrt(sphere.radius_sq));
 }
 
 namespace {
 
-/// Sorts by distance from the centre; equally near ones stay in lexicographic order.
-void sort_by_distance(std::vector<Vec3>& points, const Vec3& center) {
-  std::stable_sort(points.begin(), points.end(),
-                   [&](const Vec3& a, const Vec3& b) { return dist_sq(a, center) < dist_sq(b, center); });
+/// Removes and returns the point nearest to the centre; of equally near ones, the first.
+Vec3 take_nearest(std::vector<Vec3>& points, const Vec3& center) {
+  const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+    return dist_sq(a, center) < dist_sq(b, center);
+  });
+  const Vec3 w = *nearest;
+  points.erase(nearest);
+  return w;
 }
 
 /// The certificate of a label for w, as a bound of lfs(w): inherited from a corner, or from two input
@@ -68,12 +80,32 @@ std::optional<double> certificate(Refinement& r, TetId t, const Vec3& w, Level l
   return r.inputs().lfs_at_most(w, budget) ? std::optional(budget) : std::nullopt;
 }
 
+/// The region comes first: it is what most points fail by. Points in the circumsphere as rounded are in
+/// conflict but for ties.
 std::optional<Candidate> admissible(Refinement& r, TetId t, const Vec3& w, Level level) {
-  if (r.mesh().corner_at(t, w) != kNoVertex || !r.mesh().in_conflict(t, w)) return std::nullopt;
   if (!r.inputs().region_is_empty(w, level)) return std::nullopt;
+  if (!conflicts(r, t, w)) return std::nullopt;
   const Level label = r.inputs().coarsest_label(w, level);
   const auto bound = certificate(r, t, w, label);
   return bound ? std::optional(Candidate{w, label, *bound}) : std::nullopt;
+}
+
+bool has_input_corner(const Refinement& r, TetId t) {
+  const auto& v = r.mesh().tet(t).v;
+  return std::any_of(std::begin(v), std::end(v), [&r](VertexId corner) { return r.is_input(corner); });
+}
+
+/// Of the level's points that are inside the sphere, the admissible one nearest to its centre.
+std::optional<Candidate> admissible_of_level(Refinement& r, TetId t, const geom::Sphere& sphere, Level level,
+                                             double reach) {
+  const Vec3 nearest = lattice::nearest(level, sphere.center);
+  if (dist_sq(nearest, sphere.center) > sphere.radius_sq * (1 + 1e-9)) return std::nullopt;
+  if (auto candidate = admissible(r, t, nearest, level)) return candidate;
+  std::vector<Vec3> points = points_in_ball(level, sphere.center, reach);
+  std::erase(points, nearest);
+  while (!points.empty())
+    if (auto candidate = admissible(r, t, take_nearest(points, sphere.center), level)) return candidate;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -81,18 +113,11 @@ std::optional<Candidate> admissible(Refinement& r, TetId t, const Vec3& w, Level
 std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level finest) {
   const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
   const double radius = std::sqrt(sphere.radius_sq);
-  std::vector<Vec3> points;
+  const double to_input = has_input_corner(r, t) ? radius : std::numeric_limits<double>::infinity();
   for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {
-    const Vec3 nearest = lattice::nearest(level, sphere.center);
-    if (dist_sq(nearest, sphere.center) > sphere.radius_sq * (1 + 1e-9))
-      continue;  // no point of it is inside
-    if (auto candidate = admissible(r, t, nearest, level)) return candidate;
-    points.clear();
-    lattice::points_in_ball(level, sphere.center,
-                            std::min(radius, kSearchRadius * lattice::covering_radius(level)), points);
-    sort_by_distance(points, sphere.center);
-    for (const Vec3& w : points)
-      if (auto candidate = admissible(r, t, w, level)) return candidate;
+    const double reach = std::min(radius, kSearchRadius * lattice::covering_radius(level));
+    if (r.inputs().no_region_is_empty(level, to_input + reach)) continue;
+    if (auto candidate = admissible_of_level(r, t, sphere, level, reach)) return candidate;
   }
   return std::nullopt;
 }

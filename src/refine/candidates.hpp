@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "refine/refinement.hpp"
@@ -28,23 +29,28 @@ inline bool exceeds(double circumradius_sq, double radius) {
 /// min over t's corners v of lfs_bound(v) + |vw|: Lemma 1.
 double inherited_lfs_bound(const Refinement& refinement, TetId t, const Vec3& w);
 
-/// The points of `level` in the closed ball that are in conflict with t, in lexicographic order.
-std::vector<Vec3> conflicting_points(Refinement& refinement, TetId t, Level level, const Vec3& center,
-                                     double radius);
+/// Is w in conflict with t and none of its corners?
+bool conflicts(const Refinement& refinement, TetId t, const Vec3& w);
+
+/// The first of the points that conflicts with t. (Lemma 3 leaves out the tangent point, a corner of t;
+/// points on the circumsphere are in conflict or not by the perturbation.)
+std::optional<Vec3> first_conflicting(const Refinement& refinement, TetId t, std::span<const Vec3> points);
+
+/// The points of `level` in the closed ball, in lexicographic order.
+std::vector<Vec3> points_in_ball(Level level, const Vec3& center, double radius);
 
 /// The centre of the ball of this radius that is tangent at v inside a sphere through v.
 inline Vec3 tangent_center(const geom::Sphere& sphere, const Vec3& v, double radius) {
   return v + radius / std::sqrt(sphere.radius_sq) * (sphere.center - v);
 }
 
-/// conflicting_points in the ball of radius r(level) tangent at v inside t's circumsphere ("by Lemma 3 there
-/// exists a point w in B \ {v}"). Requires t's circumradius > r(level).
-std::vector<Vec3> points_in_tangent_ball(Refinement& refinement, TetId t, const geom::Sphere& sphere,
-                                         VertexId v, Level level);
-
-/// conflicting_points in t's circumsphere (Lemma 6, Corollary 9).
-std::vector<Vec3> points_in_circumsphere(Refinement& refinement, TetId t, const geom::Sphere& sphere,
+/// The points of `level` in the ball of radius r(level) tangent at v inside t's circumsphere ("by Lemma 3
+/// there exists a point w in B \ {v}"). Requires t's circumradius > r(level).
+std::vector<Vec3> points_in_tangent_ball(const Refinement& refinement, const geom::Sphere& sphere, VertexId v,
                                          Level level);
+
+/// The points of `level` in the circumsphere (Lemma 6, Corollary 9).
+std::vector<Vec3> points_in_circumsphere(const geom::Sphere& sphere, Level level);
 
 /// Thrifty: among the levels from the coarsest that can have points inside t's circumsphere down to `finest`,
 /// the first level with an admissible point: in conflict with t and certified within its label's budget. Of

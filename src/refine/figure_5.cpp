@@ -18,22 +18,23 @@ Vec3 figure_5_case(Refinement& r, TetId t, VertexId v, Level level) {
   if (!large && lattice::is_bcc(level)) broken_promise("Lemma 5");  // Case 1 cannot be bad then
   if (!large) ++r.stats().lemma_6_insertions;
   const auto points =
-      large ? points_in_tangent_ball(r, t, sphere, v, level) : points_in_circumsphere(r, t, sphere, level);
-  if (points.empty()) broken_promise(large ? "Lemma 3" : "Lemma 6");
-  return points.front();
+      large ? points_in_tangent_ball(r, sphere, v, level) : points_in_circumsphere(sphere, level);
+  const auto w = first_conflicting(r, t, points);
+  if (!w) broken_promise(large ? "Lemma 3" : "Lemma 6");
+  return *w;
 }
 
 void enforce_quality_literally(Refinement& r, TetId t) {
   const VertexId v = r.finest_corner(t);
   const Level level = r.label(v) + 1;
   const Vec3 w = figure_5_case(r, t, v, level);
-  r.insert(w, level, inherited_lfs_bound(r, t, w), t);
+  r.insert_in_conflict(w, level, inherited_lfs_bound(r, t, w), t);
   ++r.stats().quality_insertions;
 }
 
 void enforce_quality_thriftily(Refinement& r, TetId t) {
   if (auto c = coarsest_in_circumsphere(r, t, r.label(r.finest_corner(t)) + 1)) {
-    r.insert(c->w, c->label, c->lfs_bound, t);
+    r.insert_in_conflict(c->w, c->label, c->lfs_bound, t);
     ++r.stats().quality_insertions;
   } else {
     enforce_quality_literally(r, t);

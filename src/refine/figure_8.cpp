@@ -43,23 +43,27 @@ void insert(Refinement& r, const Bad& bad, const Vec3& w, Level label, double lf
   assert(r.inputs().region_is_empty(w, label));
   assert(lfs_bound <= figure_8_budget(label) * (1 + 1e-6));
   assert(dist(bad.v == kNoVertex ? w : r.mesh().point(bad.v), w) <= table_2 * (1 + 1e-9));
-  r.insert(w, label, lfs_bound, bad.t);
+  r.insert_in_conflict(w, label, lfs_bound, bad.t);
   ++r.stats().quality_insertions;
 }
 
-/// "There exists a point w": the literal strategy takes the first in lexicographic order. The thrifty one
-/// prefers a point with an empty region, in a coarse lattice, near c. Requires points.
-Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3>& points) {
-  if (r.strategy() == Strategy::kLiteral) return points.front();
-  const auto score = [&](const Vec3& w) {
-    return lattice::canonical_level(w) -
-           0.5 * std::sqrt(dist_sq(w, bad.sphere.center) / bad.sphere.radius_sq);
-  };
-  std::stable_sort(points.begin(), points.end(),
-                   [&](const Vec3& a, const Vec3& b) { return score(a) > score(b); });
-  for (const Vec3& w : points)
-    if (r.inputs().region_is_empty(w, label)) return w;
-  return points.front();
+/// "There exists a point w" among these in conflict with t: the literal strategy takes the first in
+/// lexicographic order. The thrifty one prefers a point with an empty region, in a coarse lattice, near c.
+Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3> points, const char* promise) {
+  if (r.strategy() == Strategy::kThrifty) {
+    std::erase_if(points, [&](const Vec3& w) { return !conflicts(r, bad.t, w); });
+    const auto score = [&](const Vec3& w) {
+      return lattice::canonical_level(w) -
+             0.5 * std::sqrt(dist_sq(w, bad.sphere.center) / bad.sphere.radius_sq);
+    };
+    std::stable_sort(points.begin(), points.end(),
+                     [&](const Vec3& a, const Vec3& b) { return score(a) > score(b); });
+    for (const Vec3& w : points)
+      if (r.inputs().region_is_empty(w, label)) return w;
+  }
+  const auto first = first_conflicting(r, bad.t, points);
+  if (!first) broken_promise(promise);
+  return *first;
 }
 
 void case_3(Refinement& r, const Bad& bad) {
@@ -69,18 +73,18 @@ void case_3(Refinement& r, const Bad& bad) {
   if (power_of_two(j) * (kHalfSqrt3 + kRho) >= radius * (1 - 1e-12)) --j;
   const Level label = sc(j);
   if (label < r.world().finest_level()) broken_promise("the least distance of input vertices");
-  auto points = conflicting_points(r, bad.t, label, bad.sphere.center, covering_radius(label));
-  if (points.empty()) broken_promise("Lemma 3");
-  insert(r, bad, choose(r, bad, label, points), label, power_of_two(j) * kFigure8Alpha, 2 * radius);
+  auto points = points_in_ball(label, bad.sphere.center, covering_radius(label));
+  const Vec3 w = choose(r, bad, label, std::move(points), "Lemma 3");
+  insert(r, bad, w, label, power_of_two(j) * kFigure8Alpha, 2 * radius);
 }
 
 /// 2.1: the points of SC_k in a ball B' of radius r(SC_k) that lies in the ball B of that radius + `margin`,
 /// tangent at v, as far as possible from u1.
-std::vector<Vec3> points_of_2_1(Refinement& r, const Bad& bad, const Vec3& u1, int k, double margin) {
+std::vector<Vec3> points_of_2_1(const Refinement& r, const Bad& bad, const Vec3& u1, int k, double margin) {
   const Vec3 center = tangent_center(bad.sphere, r.mesh().point(bad.v), covering_radius(sc(k)) + margin);
   const double distance = dist(center, u1);
   const Vec3 shift = distance > 0 ? margin / distance * (center - u1) : Vec3{margin, 0, 0};
-  return conflicting_points(r, bad.t, sc(k), center + shift, covering_radius(sc(k)));
+  return points_in_ball(sc(k), center + shift, covering_radius(sc(k)));
 }
 
 void case_2(Refinement& r, const Bad& bad, const Vec3& u1) {
@@ -93,43 +97,37 @@ void case_2(Refinement& r, const Bad& bad, const Vec3& u1) {
   }
   count(r, large ? Subcase::k21 : Subcase::k22);
   std::vector<Vec3> points =
-      large ? points_of_2_1(r, bad, u1, k, margin) : points_in_circumsphere(r, bad.t, bad.sphere, sc(k));
+      large ? points_of_2_1(r, bad, u1, k, margin) : points_in_circumsphere(bad.sphere, sc(k));
   std::erase_if(points, [&](const Vec3& w) { return lattice::in_forbidden_region(w, sc(k), u1); });
-  if (points.empty()) broken_promise(large ? "Lemma 3" : "Corollary 9");
-  const Vec3 w = choose(r, bad, sc(k), points);
+  const Vec3 w = choose(r, bad, sc(k), std::move(points), large ? "Lemma 3" : "Corollary 9");
   if (!r.inputs().region_is_empty(w, sc(k))) return case_3(r, bad);
   const double inherited = r.lfs_bound(bad.v) + dist(r.mesh().point(bad.v), w);
   insert(r, bad, w, sc(k), std::min(inherited, power_of_two(k) * kFigure8A), 2 * radius);
 }
 
-/// 1.1.1 and 1.2.1, or 1.2.3: the points of the next coarser lattice. None where 1.1.2 or 1.2.2 apply.
-std::vector<Vec3> points_of_case_1(Refinement& r, const Bad& bad, Level level) {
+/// 1.1.1 and 1.2.1, or 1.2.3: a point of the next coarser lattice. None where 1.1.2 or 1.2.2 apply.
+std::optional<Vec3> point_of_case_1(Refinement& r, const Bad& bad, Level level) {
   const bool next_is_bcc = lattice::is_bcc(level);
   if (exceeds(bad.sphere.radius_sq, covering_radius(level))) {
     count(r, next_is_bcc ? Subcase::k111 : Subcase::k121);
-    auto points = points_in_tangent_ball(r, bad.t, bad.sphere, bad.v, level);
-    if (points.empty()) broken_promise("Lemma 3");
-    return points;
+    return choose(r, bad, level, points_in_tangent_ball(r, bad.sphere, bad.v, level), "Lemma 3");
   }
   if (!bad.inputs.empty()) {
     count(r, next_is_bcc ? Subcase::k112 : Subcase::k122);
-    return {};
+    return std::nullopt;
   }
   count(r, next_is_bcc ? Subcase::k113 : Subcase::k123);
   if (next_is_bcc) broken_promise("Lemma 5");
-  auto points = points_in_circumsphere(r, bad.t, bad.sphere, level);
-  if (points.empty()) broken_promise("Lemma 6");
-  return points;
+  return choose(r, bad, level, points_in_circumsphere(bad.sphere, level), "Lemma 6");
 }
 
 void case_1(Refinement& r, const Bad& bad) {
   const Level level = r.label(bad.v) + 1;
-  std::vector<Vec3> points = points_of_case_1(r, bad, level);
-  if (points.empty()) return case_2(r, bad, bad.inputs.front());
-  const Vec3 w = choose(r, bad, level, points);
-  if (const auto u1 = r.inputs().in_region(w, level)) return case_2(r, bad, *u1);
-  const double inherited = r.lfs_bound(bad.v) + dist(r.mesh().point(bad.v), w);
-  insert(r, bad, w, level, inherited, 2 * covering_radius(level));
+  const auto w = point_of_case_1(r, bad, level);
+  if (!w) return case_2(r, bad, bad.inputs.front());
+  if (const auto u1 = r.inputs().in_region(*w, level)) return case_2(r, bad, *u1);
+  const double inherited = r.lfs_bound(bad.v) + dist(r.mesh().point(bad.v), *w);
+  insert(r, bad, *w, level, inherited, 2 * covering_radius(level));
 }
 
 /// Where both cases apply, the literal strategy chooses Case 1.
@@ -142,7 +140,7 @@ void enforce_quality_literally(Refinement& r, TetId t) {
 void enforce_quality_thriftily(Refinement& r, TetId t) {
   const auto c = coarsest_in_circumsphere(r, t, r.world().finest_level());
   if (!c) return enforce_quality_literally(r, t);
-  r.insert(c->w, c->label, c->lfs_bound, t);
+  r.insert_in_conflict(c->w, c->label, c->lfs_bound, t);
   ++r.stats().candidates;
   ++r.stats().quality_insertions;
 }

@@ -29,6 +29,11 @@ class Inputs {
     return empty() || !tree_.has_in_cube(w, half_side(label));
   }
 
+  /// Does the region of every point no farther than `distance` from some input vertex hold that vertex?
+  static bool no_region_is_empty(lattice::Level label, double distance) {
+    return distance * (1 + 1e-9) <= half_side(label);
+  }
+
   /// The coarsest label that w, of this level's lattice, can carry: its region is empty. Requires that the
   /// level's own is.
   lattice::Level coarsest_label(const Vec3& w, lattice::Level level) const {

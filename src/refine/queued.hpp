@@ -10,17 +10,17 @@
 
 namespace unsliver::refine {
 
-/// A tetrahedron in a queue is the one that its newest corner made in its slot: a slot is filled at most
-/// once an insertion.
+/// A finite tetrahedron in a queue is the one that its last corner made in its slot: a slot is filled at most
+/// once an insertion, and the kernel puts the new vertex last.
 struct Queued {
   TetId slot;
-  std::array<VertexId, 4> corners;
+  VertexId last_corner;
 };
 
-inline Queued queued(const Refinement& r, TetId t) { return {t, std::to_array(r.mesh().tet(t).v)}; }
+inline Queued queued(const Refinement& r, TetId t) { return {t, r.mesh().tet(t).v[3]}; }
 
 inline bool still_there(const Refinement& r, const Queued& entry) {
-  return r.mesh().is_finite(entry.slot) && std::to_array(r.mesh().tet(entry.slot).v) == entry.corners;
+  return r.mesh().is_finite(entry.slot) && r.mesh().tet(entry.slot).v[3] == entry.last_corner;
 }
 
 /// Smallest circumradius first, to one percent; last in first out among equals. Both operations are O(1).

@@ -1,6 +1,7 @@
 #include "refine/refinement.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "refine/criteria.hpp"
@@ -209,12 +210,17 @@ VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
 }
 
 void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near) {
-  if (insertions_++ % kCheckInterval == 0) poll();
   if (!mesh_.in_conflict(near, w)) near = mesh_.locate(w, near);
   if (mesh_.corner_at(near, w) != kNoVertex)
     throw Error(ErrorCode::kInternal,
                 "a vertex was to be inserted twice: this is a bug in unsliver, please report it");
-  mesh_.insert_in_conflict(w, near);
+  insert_in_conflict(w, label, lfs_bound, near);
+}
+
+void Refinement::insert_in_conflict(const Vec3& w, Level label, double lfs_bound, TetId t) {
+  assert(mesh_.in_conflict(t, w) && mesh_.corner_at(t, w) == kNoVertex);
+  if (insertions_++ % kCheckInterval == 0) poll();
+  mesh_.insert_in_conflict(w, t);
   add_vertex_arrays(label, lfs_bound);
 }
 

@@ -99,6 +99,8 @@ class Refinement {
   /// Inserts lattice point w. `near` is a tetrahedron in conflict with w or not far from it.
   /// \throws Stopped when a cap is met or the run is cancelled (before the insertion).
   void insert(const Vec3& w, Level label, double lfs_bound, TetId near);
+  /// The same where t is known to be in conflict with w, which is none of its corners.
+  void insert_in_conflict(const Vec3& w, Level label, double lfs_bound, TetId t);
   std::span<const TetId> created() const { return mesh_.created(); }
 
   /// Reports progress, and ends the run when a cap is met or the caller cancelled it. Called often by long
