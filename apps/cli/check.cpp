@@ -24,9 +24,10 @@ constexpr const char* kExamples = R"text(Examples:
   unsliver check mesh.vtu --against part.stl --json report.json
   unsliver check other.msh --min-angle 10 --worst 20
 Any mesh: orientation and conformity, decided exactly. Meshes of unsliver (they carry their lattice):
-the proven angles, the Delaunay property and lattice membership as well. With --against, the surface's
-vertices must be covered (in meshes of unsliver also 100,000 samples of the surface). With --min-angle,
---max-angle or --max-radius-edge: the mesh is held to these.
+the Delaunay property, lattice membership and the limits on angles and radius-edge ratio they were made
+for as well; files other than .vtu do not hold these limits, and 30 and 135 degrees are taken. With
+--against, the surface's vertices must be covered (in meshes of unsliver also 100,000 samples of the
+surface). --min-angle, --max-angle and --max-radius-edge each replace one of the mesh's own limits.
 Exit code 0: no fault found (poor angles alone are no fault unless promised or asked for); 1: the mesh
 is not what it should be; 2: the mesh could not be read.)text";
 
@@ -47,17 +48,22 @@ bool has_input_vertices(const TetMesh& mesh) {
   return std::find(mesh.levels.begin(), mesh.levels.end(), 0) != mesh.levels.end();
 }
 
-/// What the mesh is held to: what was asked for, else what meshes of ours promise, else nothing.
-std::optional<QualityGuarantee> guarantee(const CheckOptions& options, const TetMesh& mesh) {
-  const bool ours = is_ours(mesh);
-  if (!ours && !options.min_angle && !options.max_angle && !options.max_radius_edge) return std::nullopt;
-  QualityGuarantee held;
-  held.max_radius_edge = least_radius_edge(has_input_vertices(mesh));
-  if (!ours) held = {0, 180, std::numeric_limits<double>::infinity()};
-  held.min_dihedral_deg = options.min_angle.value_or(held.min_dihedral_deg);
-  held.max_dihedral_deg = options.max_angle.value_or(held.max_dihedral_deg);
-  held.max_radius_edge = options.max_radius_edge.value_or(held.max_radius_edge);
-  return held;
+/// What is due of it in the first place: what its file says, else what meshes of ours promise by default.
+std::optional<QualityLimits> limits_due(const TetMesh& mesh) {
+  if (mesh.limits || !is_ours(mesh)) return mesh.limits;
+  const MeshOptions strictest;
+  return QualityLimits{strictest.min_dihedral_deg, strictest.max_dihedral_deg,
+                       least_radius_edge(has_input_vertices(mesh))};
+}
+
+/// What the mesh is held to: what is due, each limit replaced by what was asked for.
+std::optional<QualityLimits> limits_to_hold(const CheckOptions& options, const TetMesh& mesh) {
+  const std::optional<QualityLimits> due = limits_due(mesh);
+  if (!due && !options.min_angle && !options.max_angle && !options.max_radius_edge) return std::nullopt;
+  const QualityLimits limits = due.value_or(QualityLimits{});
+  return QualityLimits{options.min_angle.value_or(limits.min_dihedral_deg),
+                       options.max_angle.value_or(limits.max_dihedral_deg),
+                       options.max_radius_edge.value_or(limits.max_radius_edge)};
 }
 
 /// \throws Error kBadOption for a bound that no angle or ratio can meet.
@@ -90,11 +96,13 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   report.vertices = mesh.points.size();
   for (const Vec3& p : mesh.points) report.bounds.extend(p);
   report.ours = is_ours(mesh);
-  report.held_to = guarantee(options, mesh);
+  report.held_to = limits_to_hold(options, mesh);
   report.quality = summarize_quality(mesh, options.worst);
 
   VerifyOptions verify_options;
-  verify_options.guarantee = report.held_to;
+  if (const auto& held_to = report.held_to)
+    verify_options.guarantee = {held_to->min_dihedral_deg, held_to->max_dihedral_deg,
+                                held_to->max_radius_edge};
   verify_options.delaunay = report.ours;
   verify_options.must_cover = points_to_cover(options.against, report.ours);
   verify_options.cover_tolerance = sample_rounding(verify_options.must_cover);

@@ -1,8 +1,10 @@
 #include "check_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "mesh_report.hpp"
@@ -73,8 +75,21 @@ void worst(std::string& text, const QualitySummary& quality) {
   }
 }
 
+/// Those that limit anything.
+std::string held_to_text(const QualityLimits& limits) {
+  std::vector<std::string> texts;
+  if (limits.min_dihedral_deg > 0)
+    texts.push_back(fmt::format("dihedral angles of {:.6g} degrees or more", limits.min_dihedral_deg));
+  if (limits.max_dihedral_deg < 180)
+    texts.push_back(fmt::format("dihedral angles of {:.6g} degrees or less", limits.max_dihedral_deg));
+  if (std::isfinite(limits.max_radius_edge))
+    texts.push_back(fmt::format("radius-edge ratios of {:.6g} or less", limits.max_radius_edge));
+  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
 void verdict(std::string& text, const CheckReport& report) {
   line(text, "\n  Checked{}", report.ours ? " (a mesh of unsliver: its guarantees are due)" : "");
+  if (report.held_to) line(text, "    held to: {}", held_to_text(*report.held_to));
   for (const std::string& check : report.verified.checks) line(text, "    {}", check);
   for (const Finding& finding : report.verified.findings)
     line(text, "  FAULT {}: {}", finding.check, finding.message);
@@ -98,6 +113,20 @@ std::string to_table(const CheckReport& report) {
   return text;
 }
 
+namespace {
+
+/// What limits nothing is null.
+nlohmann::ordered_json to_json(const QualityLimits& limits) {
+  const auto unless = [](bool idle, double value) {
+    return idle ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
+  };
+  return {{"min_dihedral_deg", unless(limits.min_dihedral_deg <= 0, limits.min_dihedral_deg)},
+          {"max_dihedral_deg", unless(limits.max_dihedral_deg >= 180, limits.max_dihedral_deg)},
+          {"max_radius_edge", unless(!std::isfinite(limits.max_radius_edge), limits.max_radius_edge)}};
+}
+
+}  // namespace
+
 nlohmann::ordered_json to_json(const CheckReport& report) {
   nlohmann::ordered_json json = json_head("check", report.exit_code);
   json["file"] = report.file;
@@ -108,10 +137,7 @@ nlohmann::ordered_json to_json(const CheckReport& report) {
   json["bounds"] = to_json(report.bounds);
   json["ours"] = report.ours;
   json["held_to"] = nullptr;
-  if (report.held_to)
-    json["held_to"] = {{"min_dihedral_deg", report.held_to->min_dihedral_deg},
-                       {"max_dihedral_deg", report.held_to->max_dihedral_deg},
-                       {"max_radius_edge", report.held_to->max_radius_edge}};
+  if (report.held_to) json["held_to"] = to_json(*report.held_to);
   json["quality"] = to_json(report.quality);
   json["verify"] = to_json(report.verified);
   return json;

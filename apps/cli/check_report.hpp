@@ -17,8 +17,8 @@ struct CheckReport {
   ExitCode exit_code = ExitCode::kDone;
   std::size_t vertices = 0;
   Box3 bounds;
-  bool ours = false;                        ///< it carries its lattice, so it claims the guarantees
-  std::optional<QualityGuarantee> held_to;  ///< the bounds it was judged by
+  bool ours = false;                     ///< it carries its lattice, so it claims the guarantees
+  std::optional<QualityLimits> held_to;  ///< the limits it was judged by
   QualitySummary quality;
   VerifyReport verified;
 };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,14 @@ struct Frame {
   Vec3 origin;
 };
 
+/// Bounds on the shape of every tetrahedron. By default they bound nothing.
+struct QualityLimits {
+  double min_dihedral_deg = 0, max_dihedral_deg = 180;
+  double max_radius_edge = std::numeric_limits<double>::infinity();
+
+  friend bool operator==(const QualityLimits&, const QualityLimits&) = default;
+};
+
 /// A tetrahedral mesh. n points, m tetrahedra. Optional arrays are empty or have the stated length.
 struct TetMesh {
   std::vector<Vec3> points;                        ///< n, the caller's coordinates and units
@@ -29,6 +38,7 @@ struct TetMesh {
   std::vector<std::array<VertexId, 3>> triangles;  ///< boundary and interface triangles, may be empty
   std::vector<std::int32_t> triangle_labels;       ///< one per triangle or empty
   std::optional<Frame> frame;                      ///< set in meshes of ours
+  std::optional<QualityLimits> limits = std::nullopt;  ///< guaranteed by its maker, where the file says so
 
   Tet corners(std::size_t t) const {
     const auto& v = tets[t];

@@ -17,6 +17,8 @@ inline constexpr std::string_view kVtuRegion = "region";
 inline constexpr std::string_view kVtuMinDihedral = "min_dihedral";
 /// Field data: unit, then origin x, y, z.
 inline constexpr std::string_view kVtuFrame = "unsliver_frame";
+/// Field data: the smallest and the largest dihedral angle in degrees and the radius-edge ratio guaranteed.
+inline constexpr std::string_view kVtuLimits = "unsliver_limits";
 
 /// Where region labels are looked for: ours first, then what meshio calls those of other formats.
 inline constexpr std::array<std::string_view, 4> kVtuRegionNames{kVtuRegion, "gmsh:physical", "medit:ref",

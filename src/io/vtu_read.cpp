@@ -21,6 +21,7 @@ class VtuReader {
     for (const VtuPiece& piece : document_.pieces) read_piece(piece);
     drop_incomplete_arrays();
     read_frame();
+    read_limits();
     return std::move(mesh_);
   }
 
@@ -141,6 +142,19 @@ class VtuReader {
       fail(ErrorCode::kBadInput, "{}: array '{}' must hold a positive unit and an origin", document_.name,
            kVtuFrame);
     mesh_.frame = Frame{v[0], {v[1], v[2], v[3]}};
+  }
+
+  void read_limits() {
+    const VtuArray* array = document_.field_data.find("FieldData", kVtuLimits);
+    if (!array) return;
+    const std::vector<double> v = vtu_values<double>(document_, *array);
+    if (v.size() != 3 || !(0 <= v[0] && v[0] <= v[1] && v[1] <= 180 && v[2] > 0))
+      fail(
+          ErrorCode::kBadInput,
+          "{}: array '{}' must hold a smallest and a largest dihedral angle, in degrees from 0 to 180, and a "
+          "positive radius-edge ratio; without the array the mesh is judged as any other",
+          document_.name, kVtuLimits);
+    mesh_.limits = QualityLimits{v[0], v[1], v[2]};
   }
 
   const VtuArray& require(const VtuPiece& piece, std::string_view section, std::string_view name) const {

@@ -57,7 +57,7 @@ class VtuWriter {
     tag("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"",
         kBig ? "BigEndian" : "LittleEndian",
         "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n");
-    if (mesh_.frame) section("FieldData", [&] { describe_frame(); });
+    if (mesh_.frame || mesh_.limits) section("FieldData", [&] { describe_field_data(); });
     tag("    <Piece NumberOfPoints=\"", std::to_string(mesh_.points.size()), "\" NumberOfCells=\"",
         std::to_string(cell_count()), "\">\n");
     section("PointData", [&] { describe_point_data(); });
@@ -67,10 +67,15 @@ class VtuWriter {
     tag("    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n   _");
   }
 
-  void describe_frame() {
-    const Frame& f = *mesh_.frame;
-    const double values[] = {f.unit, f.origin.x, f.origin.y, f.origin.z};
-    array<double>(kVtuFrame, values, "NumberOfTuples=\"4\" ");
+  void describe_field_data() {
+    if (const auto& f = mesh_.frame) {
+      const double values[] = {f->unit, f->origin.x, f->origin.y, f->origin.z};
+      array<double>(kVtuFrame, values, "NumberOfTuples=\"4\" ");
+    }
+    if (const auto& l = mesh_.limits) {
+      const double values[] = {l->min_dihedral_deg, l->max_dihedral_deg, l->max_radius_edge};
+      array<double>(kVtuLimits, values, "NumberOfTuples=\"3\" ");
+    }
   }
 
   void describe_point_data() {

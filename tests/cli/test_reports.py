@@ -2,7 +2,7 @@
 
 import random
 
-from program import ProgramTest, main
+from program import ProgramTest, main, medit
 
 BALL = ["--ball", "0 0 0 1"]
 
@@ -35,6 +35,43 @@ class Estimates(ProgramTest):
                 self.run_program("mesh", *BALL, "--size", "0.1", "--max-tets", int(share * estimated), "-o", "out.vtu",
                                  "--json", "report.json")
                 self.assertEqual(self.report("report.json")["status"], status)
+
+
+class Limits(ProgramTest):
+    LOOSE = ["--min-angle", "15", "--max-angle", "150", "--max-radius-edge", "1.5"]
+
+    def held_to(self, name, *arguments, code=0):
+        result = self.run_program("check", name, *arguments, "--json", "check.json")
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return tuple(self.report("check.json")["held_to"].values()), result.stdout
+
+    def test_check_judges_a_mesh_by_what_it_was_made_for(self):
+        generator = random.Random(5)
+        self.write("points.csv", "".join("{},{},{}\n".format(*(generator.random() for _ in "xyz")) for _ in range(60)))
+        self.succeed("mesh", "--points", "points.csv", *self.LOOSE, "-o", "out.vtu")
+        limits, table = self.held_to("out.vtu")
+        self.assertEqual(limits, (15, 150, 1.5))
+        self.assertIn("held to: dihedral angles of 15 degrees or more", table)
+        self.succeed("convert", "out.vtu", "again.vtu")
+        self.assertEqual(self.held_to("again.vtu")[0], (15, 150, 1.5))
+        self.assertEqual(self.held_to("out.vtu", "--min-angle", "14")[0], (14, 150, 1.5))
+        self.held_to("out.vtu", "--min-angle", "30", code=1)
+        self.succeed("convert", "out.vtu", "out.mesh")
+        self.succeed("refine", "out.vtu", *self.LOOSE, "-o", "twice.vtu")
+
+    def test_strictest_by_default(self):
+        self.succeed("mesh", *BALL, "--size", "0.4", "-o", "out.vtu")
+        self.assertEqual(self.held_to("out.vtu")[0], (30, 135, 5 ** 0.5 / 2))
+
+    def test_unfinished_mesh_promises_nothing_in_its_file(self):
+        self.run_program("mesh", *BALL, "--size", "0.05", "--max-tets", "5k", "--keep-partial", "-o", "out.vtu")
+        self.assertNotIn(b"unsliver_limits", (self.folder / "out.vtu").read_bytes())
+
+    def test_only_what_was_asked_for(self):
+        self.write("corner.mesh", medit([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 2, 3)]))
+        limits, table = self.held_to("corner.mesh", "--min-angle", "10")
+        self.assertEqual(limits, (10, None, None))
+        self.assertIn("held to: dihedral angles of 10 degrees or more\n", table)
 
 
 if __name__ == "__main__":

@@ -223,6 +223,42 @@ TEST(Vtu, WritesWhatIsGivenForTetrahedra) {
   for (int triangle = 2; triangle < 5; ++triangle) EXPECT_TRUE(std::isnan(values[triangle]));
 }
 
+TEST(Vtu, LimitsComeBack) {
+  TemporaryFolder folder;
+  const QualityLimits kLimits[] = {{30, 135, 1.118033988749895}, {10.5, 155.25, 1.368}, {}};
+  for (const QualityLimits& limits : kLimits)
+    for (const bool with_frame : {true, false}) {
+      TetMesh mesh = sample_mesh();
+      mesh.limits = limits;
+      if (!with_frame) mesh.frame.reset();
+      write_tet_mesh(folder / "a.vtu", mesh);
+      const TetMesh back = read_tet_mesh(folder / "a.vtu");
+      EXPECT_EQ(back.limits, limits);
+      EXPECT_EQ(back.frame.has_value(), with_frame);
+    }
+  write_tet_mesh(folder / "a.vtu", sample_mesh());
+  EXPECT_FALSE(read_tet_mesh(folder / "a.vtu").limits);
+}
+
+TEST(Vtu, RefusesLimitsThatAreNone) {
+  const auto with = [](const std::string& values) {
+    return replaced(inline_vtu("", "ascii", kText), "<Piece",
+                    "<FieldData><DataArray type=\"Float64\" Name=\"unsliver_limits\" format=\"ascii\">" +
+                        values + "</DataArray></FieldData>\n<Piece");
+  };
+  EXPECT_EQ(parse_vtu(with("20 145 1.5"), "a.vtu").limits, (QualityLimits{20, 145, 1.5}));
+  for (const char* values : {"", "20", "20 145", "20 145 1.5 2", "-1 145 1.5", "20 181 1.5", "145 20 1.5",
+                             "20 145 0", "20 145 -1.5"}) {
+    SCOPED_TRACE(values);
+    expect_error(ErrorCode::kBadInput, {"a.vtu", "unsliver_limits", "radius-edge"},
+                 [&] { parse_vtu(with(values), "a.vtu"); });
+  }
+  for (const char* values : {"nan 145 1.5", "20 inf 1.5", "20 145 one"}) {
+    SCOPED_TRACE(values);
+    EXPECT_THROW(parse_vtu(with(values), "a.vtu"), Error);
+  }
+}
+
 // Long enough for several blocks in each array.
 TEST(Vtu, LargeMeshesComeBack) {
   TemporaryFolder folder;
