@@ -9,6 +9,7 @@
 #include "check_report.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "mesh_report.hpp"
 #include "progress_display.hpp"
 #include "samples.hpp"
 #include "terminal.hpp"
@@ -108,6 +109,8 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   verify_options.cover_tolerance = sample_rounding(verify_options.must_cover);
   ProgressDisplay display(!options.quiet && stderr_is_terminal());
   report.verified = verify(mesh, verify_options, display.control());
+  if (report.verified.ok)
+    round_extremes(report.held_to.value_or(QualityLimits{}), report.verified, report.quality);
   report.exit_code = report.verified.ok ? ExitCode::kDone : ExitCode::kLimit;
   return report;
 }

@@ -54,8 +54,8 @@ void histogram(std::string& text, const QualitySummary& quality) {
 }
 
 void extremes(std::string& text, const QualitySummary& quality) {
-  line(text, "\n  dihedral angles {:.6f} to {:.6f} degrees, radius-edge ratio at most {:.6f}",
-       quality.min_dihedral_deg, quality.max_dihedral_deg, quality.max_radius_edge);
+  line(text, "\n  dihedral angles {:.3f} to {:.3f} degrees, largest radius-edge ratio {}",
+       quality.min_dihedral_deg, quality.max_dihedral_deg, ratio_text(quality.max_radius_edge));
   constexpr std::array kLimits = {5, 10, 15, 20, 30};
   for (std::size_t i = 0; i < kLimits.size(); ++i)
     line(text, "  below {:>2} degrees     {:>12}  {:6.2f} %", kLimits[i], with_separators(quality.below[i]),
@@ -68,8 +68,8 @@ void worst(std::string& text, const QualitySummary& quality) {
   if (quality.worst.empty()) return;
   line(text, "\n  Smallest dihedral angles");
   for (const WorstTet& tet : quality.worst) {
-    line(text, "  tetrahedron {:<9} angles {:.3f} to {:.3f}, radius-edge {:.3f}", tet.tet,
-         tet.min_dihedral_deg, tet.max_dihedral_deg, tet.radius_edge);
+    line(text, "  tetrahedron {:<9} angles {:.3f} to {:.3f}, radius-edge {}", tet.tet, tet.min_dihedral_deg,
+         tet.max_dihedral_deg, ratio_text(tet.radius_edge));
     line(text, "    {} {} {} {}", point_text(tet.corners[0]), point_text(tet.corners[1]),
          point_text(tet.corners[2]), point_text(tet.corners[3]));
   }

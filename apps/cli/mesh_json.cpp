@@ -163,12 +163,13 @@ Json to_json(const MeshReport& report) {
   const auto plain = [](const auto& value) { return to_json(value); };
   json["status"] = report.status;
   json["guaranteed"] = report.guaranteed();
+  json["verified"] = report.is_verified();
   json["output"] = report.output.empty() ? Json(nullptr) : Json(report.output);
   json["input"] = optional_json(report.source, input_json);
   json["points"] = points_json(report);
   json["before"] = before_json(report);
   json["size"] = optional_json(report.size, size_json);
-  json["options"] = options_json(report.options);
+  json["options"] = optional_json(report.options, options_json);
   json["estimate"] = optional_json(report.estimate, estimate_json);
   json["mesh"] = optional_json(report.counts, [](const MeshCounts& counts) {
     return Json{{"vertices", counts.vertices},

@@ -28,7 +28,7 @@ struct MeshReport {
   /// "error".
   std::string status = "error";
   ExitCode exit_code = ExitCode::kBug;
-  MeshOptions options;
+  std::optional<MeshOptions> options;  ///< once they are known to make sense
   std::optional<DomainSource> source;
   std::optional<SizeSource> size;
   std::optional<SizeEstimate> estimate;
@@ -44,7 +44,16 @@ struct MeshReport {
 
   /// Is every promise of the options kept, as far as the generator can tell?
   bool guaranteed() const { return status == "done"; }
+  /// ... and as far as the independent checker can?
+  bool is_verified() const { return verified && verified->ok; }
 };
+
+/// Requires that exact tests have found the limits kept. What was measured in doubles is given to 12 digits,
+/// and never beyond a limit: an angle of 30 degrees may have come out as 29.999999999999996.
+void round_extremes(const QualityLimits& kept, VerifyReport& verified, QualitySummary& quality);
+
+/// "1.1180", or "unbounded" for infinity.
+std::string ratio_text(double ratio);
 
 /// A short table for people, ending in a newline.
 std::string to_table(const MeshReport& report);

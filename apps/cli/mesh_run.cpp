@@ -58,6 +58,10 @@ class MeshRun {
   std::function<double(const Vec3&)> local_feature_size(double c) const;
   bool can_test_size() const;
   std::vector<Vec3> points_to_cover() const;
+  const MeshOptions& asked() const { return *report_.options; }
+  QualityLimits limits() const {
+    return {asked().min_dihedral_deg, asked().max_dihedral_deg, asked().max_radius_edge};
+  }
   const std::optional<InputVertices>& inputs() const { return report_.source->inputs; }
 
   /// Errors about the points name them as the file does.
@@ -109,11 +113,11 @@ void MeshRun::settle(const std::string& status, ExitCode code) {
 /// Without a cap of the user's, the memory available is the cap: better ended than killed.
 void MeshRun::prepare() {
   report_.options = options_.mesh;
-  if (report_.options.max_memory_bytes == 0) report_.options.max_memory_bytes = available_memory();
+  if (asked().max_memory_bytes == 0) report_.options->max_memory_bytes = available_memory();
   report_.source = make_domain(options_.domain);
   report_.size = make_sizing(options_.size, *report_.source);
   with_inputs([this](std::span<const Vec3> points) {
-    report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, points, report_.options);
+    report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, points, asked());
   });
 }
 
@@ -123,7 +127,7 @@ void MeshRun::check_limits() {
       fmt::format("about {} vertices, {} tetrahedra and {} of memory", human_count(estimate.vertices),
                   human_count(estimate.tets), human_bytes(estimate.bytes));
   if (!options_.quiet) say("expecting " + expected);
-  const auto [max_tets, max_memory] = std::pair(report_.options.max_tets, report_.options.max_memory_bytes);
+  const auto [max_tets, max_memory] = std::pair(asked().max_tets, asked().max_memory_bytes);
   const auto surely_exceeds = [](double expected, std::uint64_t limit) {
     return limit > 0 && !(expected <= kEstimateError * static_cast<double>(limit));
   };
@@ -143,8 +147,8 @@ void MeshRun::check_limits() {
 
 void MeshRun::generate() {
   with_inputs([this](std::span<const Vec3> points) {
-    result_ = mesh_domain(*report_.source->domain, *report_.size->sizing, points, report_.options,
-                          display_.control());
+    result_ =
+        mesh_domain(*report_.source->domain, *report_.size->sizing, points, asked(), display_.control());
   });
   display_.clear();
   report_.stats = result_.stats;
@@ -186,8 +190,7 @@ VerifyOptions MeshRun::verify_options() const {
   verify.must_cover = points_to_cover();
   verify.cover_tolerance = sample_rounding(verify.must_cover);
   if (result_.status != MeshStatus::kDone) return verify;
-  const MeshOptions& asked = report_.options;
-  verify.guarantee = {asked.min_dihedral_deg, asked.max_dihedral_deg, asked.max_radius_edge};
+  verify.guarantee = {asked().min_dihedral_deg, asked().max_dihedral_deg, asked().max_radius_edge};
   if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
   verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
   const GradingGuarantee grading = grading_guarantee(result_.stats.strategy, inputs().has_value());
@@ -217,15 +220,16 @@ void MeshRun::judge() {
     settle("unverified", ExitCode::kLimit);
   } else if (!report_.verified->ok) {
     settle("verification_failed", ExitCode::kBug);
+  } else {
+    const bool done = result_.status == MeshStatus::kDone;
+    round_extremes(done ? limits() : QualityLimits{}, *report_.verified, *report_.quality);
   }
 }
 
 void MeshRun::write() {
   hold_.emplace(interrupts::Hold::For::kFile);
   if (inputs()) restore_ids(*inputs(), result_.mesh);
-  const MeshOptions& asked = report_.options;
-  if (result_.status == MeshStatus::kDone)
-    result_.mesh.limits = {asked.min_dihedral_deg, asked.max_dihedral_deg, asked.max_radius_edge};
+  if (result_.status == MeshStatus::kDone) result_.mesh.limits = limits();
   io::WriteOptions write = options_.write;
   if (writes_vtu(options_)) write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
   io::write_tet_mesh(options_.output, result_.mesh, write);

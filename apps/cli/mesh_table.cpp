@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include "mesh_report.hpp"
@@ -93,21 +94,27 @@ Achieved achieved(const MeshReport& report) {
           report.quality->max_radius_edge};
 }
 
+std::string degrees(double angle) { return fmt::format("{:.2f} deg", angle); }
+
+/// What is promised where `asked` was asked for. Without verification nobody has seen the promise kept.
+std::string promise(const MeshReport& report, const std::string& asked) {
+  if (!report.guaranteed()) return "none";
+  return report.is_verified() ? asked : "not verified";
+}
+
 void comparison(Table& table, const MeshReport& report) {
   if (!report.quality || report.quality->tets == 0) return;
   const Achieved got = achieved(report);
-  const auto promise = [&](const std::string& text) { return report.guaranteed() ? text : "none"; };
-  const auto compare = [&](const char* name, const char* unit_format, double asked, double value) {
-    const std::string text = fmt::format(fmt::runtime(unit_format), asked);
-    table.compare(name, text, promise(text), fmt::format(fmt::runtime(unit_format), value));
+  const auto compare = [&](const char* name, const std::string& asked, const std::string& value) {
+    table.compare(name, asked, promise(report, asked), value);
   };
   table.blank();
-  table.compare("", "asked", "guaranteed", "achieved");
-  compare("smallest angle", "{:.2f} deg", report.options.min_dihedral_deg, got.min_dihedral_deg);
-  compare("largest angle", "{:.2f} deg", report.options.max_dihedral_deg, got.max_dihedral_deg);
-  compare("radius-edge", "{:.4f}", report.options.max_radius_edge, got.radius_edge);
+  table.compare("", "asked", "guaranteed", report.verified ? "achieved" : "measured");
+  compare("smallest angle", degrees(report.options->min_dihedral_deg), degrees(got.min_dihedral_deg));
+  compare("largest angle", degrees(report.options->max_dihedral_deg), degrees(got.max_dihedral_deg));
+  compare("radius-edge", ratio_text(report.options->max_radius_edge), ratio_text(got.radius_edge));
   if (report.verified && report.verified->worst_size_ratio > 0)
-    table.compare("size ratio", "1", promise("1"), fmt::format("{:.4f}", report.verified->worst_size_ratio));
+    compare("size ratio", ratio_text(1), ratio_text(report.verified->worst_size_ratio));
   table.blank();
 }
 
@@ -139,6 +146,10 @@ std::string verdict(const MeshReport& report) {
 }
 
 }  // namespace
+
+std::string ratio_text(double ratio) {
+  return std::isfinite(ratio) ? fmt::format("{:.4f}", ratio) : "unbounded";
+}
 
 std::string to_table(const MeshReport& report) {
   Table table;

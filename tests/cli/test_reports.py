@@ -74,5 +74,57 @@ class Limits(ProgramTest):
         self.assertIn("held to: dihedral angles of 10 degrees or more\n", table)
 
 
+class Claims(ProgramTest):
+    def report_of(self, *arguments):
+        result = self.run_program(*arguments, "-o", "out.vtu", "--json", "report.json")
+        return self.report("report.json"), result.stdout
+
+    def test_verified(self):
+        report, table = self.report_of("mesh", *BALL, "--size", "0.4")
+        self.assertEqual((report["guaranteed"], report["verified"]), (True, True))
+        self.assertIn("achieved", table)
+        self.assertNotIn("not verified", table)
+
+    def test_nothing_is_claimed_without_verification(self):
+        report, table = self.report_of("mesh", *BALL, "--size", "0.4", "--no-verify")
+        self.assertFalse(report["verified"])
+        self.assertEqual(table.count("not verified"), 3)
+        self.assertIn("measured", table)
+        self.assertNotIn("achieved", table)
+
+    def test_limits_that_are_met_print_as_they_are(self):
+        """On the ball 60 and 90 degrees are attained, and most doubles miss them."""
+        report, _ = self.report_of("mesh", *BALL, "--size", "0.1")
+        self.succeed("check", "out.vtu", "--json", "check.json")
+        for measured in [report["quality"], report["verify"], self.report("check.json")["quality"],
+                         self.report("check.json")["verify"], *report["quality"]["worst"]]:
+            self.assertEqual((measured["min_dihedral_deg"], measured["max_dihedral_deg"]), (60, 90))
+
+    def test_never_beyond_what_was_kept(self):
+        self.write("points.csv", "0.1,0.2,0.3\n0.9,0.8,0.8\n0.2,0.9,0.1\n0.6,0.4,0.7\n")
+        for arguments in [["--points", "points.csv"], [*BALL, "--size", "0.1 + 0.2 * (x + 1)"]]:
+            report, _ = self.report_of("mesh", *arguments)
+            for measured in [report["quality"], report["verify"]]:
+                self.assertGreaterEqual(measured["min_dihedral_deg"], report["options"]["min_dihedral_deg"])
+                self.assertLessEqual(measured["max_dihedral_deg"], report["options"]["max_dihedral_deg"])
+                self.assertLessEqual(measured["max_radius_edge"], report["options"]["max_radius_edge"])
+
+    def test_options_of_a_failed_run(self):
+        report, _ = self.report_of("mesh", *BALL, "--min-angle", "40")
+        self.assertIsNone(report["options"])
+        report, _ = self.report_of("mesh", "none.stl", "--min-angle", "20")
+        self.assertEqual((report["options"]["min_dihedral_deg"], report["options"]["max_radius_edge"]),
+                         (20, 5 ** 0.5 / 2))
+
+    def test_no_infinities_in_tables(self):
+        self.write("flat.mesh", medit([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2, 3)]))
+        table = self.run_program("check", "flat.mesh").stdout.split("Checked")[0]
+        self.assertIn("largest radius-edge ratio unbounded", table)
+        self.assertNotIn("inf", table)
+        _, table = self.report_of("mesh", *BALL, "--size", "0.4", "--max-radius-edge", "inf")
+        self.assertIn("unbounded", table)
+        self.assertNotIn("inf", table)
+
+
 if __name__ == "__main__":
     main()
