@@ -229,7 +229,6 @@ void MeshRun::judge() {
 void MeshRun::write() {
   hold_.emplace(interrupts::Hold::For::kFile);
   if (inputs()) restore_ids(*inputs(), result_.mesh);
-  if (result_.status == MeshStatus::kDone) result_.mesh.limits = limits();
   io::WriteOptions write = options_.write;
   if (writes_vtu(options_)) write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
   io::write_tet_mesh(options_.output, result_.mesh, write);

@@ -2,7 +2,8 @@
 /// A growable array of plain data whose growth moves pages, not bytes.
 ///
 /// std::vector copies into a second block when it grows, so a large mesh would need 2.5 times its size at the
-/// peak. realloc remaps large blocks in place, and pages that were never written cost nothing.
+/// peak. realloc remaps large blocks in place, and pages that were never written cost nothing. Elements begin
+/// at a cache line, so that records of 32 bytes never straddle two.
 #pragma once
 
 #ifdef __linux__
@@ -29,16 +30,18 @@ class PodVector {
   PodVector(PodVector&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)),
         size_(std::exchange(other.size_, 0)),
-        capacity_(std::exchange(other.capacity_, 0)) {}
+        capacity_(std::exchange(other.capacity_, 0)),
+        offset_(std::exchange(other.offset_, 0)) {}
   PodVector& operator=(PodVector&& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    std::swap(offset_, other.offset_);
     return *this;
   }
   PodVector(const PodVector&) = delete;
   PodVector& operator=(const PodVector&) = delete;
-  ~PodVector() { std::free(data_); }
+  ~PodVector() { std::free(block()); }
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -64,6 +67,12 @@ class PodVector {
       data_[size_++] = value;
     }
   }
+  /// push_back where `condition` holds, without a branch that nobody could predict.
+  void push_back_if(bool condition, const T& value) {
+    if (size_ == capacity_) grow_to(size_ + 1);
+    data_[size_] = value;
+    size_ += condition;
+  }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
 
@@ -86,10 +95,16 @@ class PodVector {
     const std::size_t wanted = capacity_ + capacity_ / 2 + 16;
     reallocate(n > wanted ? n : wanted);
   }
+  /// What realloc gave; the elements begin offset_ bytes behind it.
+  void* block() const { return data_ == nullptr ? nullptr : reinterpret_cast<std::byte*>(data_) - offset_; }
+
   void reallocate(std::size_t n) {
-    void* moved = std::realloc(static_cast<void*>(data_), n * sizeof(T));
+    auto* const moved = static_cast<std::byte*>(std::realloc(block(), n * sizeof(T) + kCacheLine));
     if (moved == nullptr) throw std::bad_alloc();
-    data_ = static_cast<T*>(moved);
+    const std::size_t offset = -reinterpret_cast<std::uintptr_t>(moved) % kCacheLine;
+    if (size_ > 0 && offset != offset_) std::memmove(moved + offset, moved + offset_, size_ * sizeof(T));
+    offset_ = offset;
+    data_ = reinterpret_cast<T*>(moved + offset);
     capacity_ = n;
     use_huge_pages();
   }
@@ -104,8 +119,10 @@ class PodVector {
 #endif
   }
 
+  static constexpr std::size_t kCacheLine = 64;
+
   T* data_ = nullptr;
-  std::size_t size_ = 0, capacity_ = 0;
+  std::size_t size_ = 0, capacity_ = 0, offset_ = 0;
 };
 
 }  // namespace unsliver

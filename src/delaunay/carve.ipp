@@ -20,39 +20,51 @@ bool BasicTriangulation<Geometry>::in_conflict(TetId t, const Point& p) const {
                                counts_);
 }
 
+/// About every other neighbour is in conflict, and no branch predictor can tell which. So all are asked
+/// before any answer is looked at, and the answers are stored, not branched upon.
 template <class Geometry>
-void BasicTriangulation<Geometry>::add_boundary_facet(const TetRecord& tet, int slot) {
-  const int* c = kFacetCorners[slot];
-  BoundaryFacet facet{{tet.v[c[0]], tet.v[c[1]], tet.v[c[2]]}, tet.n[slot]};
-  while (facet.v[0] == kInfinite || facet.v[1] == kInfinite)
-    std::rotate(facet.v, facet.v + 1, facet.v + 3);  // keeps the orientation, puts infinity last
-  boundary_.push_back(facet);
+void BasicTriangulation<Geometry>::doom_neighbours(const TetRecord& tet, const Point& p) {
+  TetId asked[4];
+  bool doomed[4];
+  int count = 0;
+  for (const Facet facet : tet.n) {
+    const TetId neighbour = tet_of(facet);
+    std::uint8_t& mark = store_.mark(neighbour);
+    asked[count] = neighbour;
+    count += mark == kUntested;
+    if (mark == kUntested) mark = kSpared;  // asked once, though it may share two facets
+  }
+  for (int i = 0; i < count; ++i) doomed[i] = in_conflict(asked[i], p);
+  for (int i = 0; i < count; ++i) {
+    store_.mark(asked[i]) = doomed[i] ? kDoomed : kSpared;
+    cavity_.push_back_if(doomed[i], asked[i]);
+    spared_.push_back_if(!doomed[i], asked[i]);
+    for (const Facet beyond : store_[asked[i]].n) store_.prefetch(tet_of(beyond));
+  }
 }
 
-/// Flattened: the conflict test is most of the work, and a call costs a tenth of it.
 template <class Geometry>
-[[gnu::flatten]] void BasicTriangulation<Geometry>::carve(const Point& p, TetId in_conflict_with_p) {
-  cavity_.assign(1, in_conflict_with_p);
+void BasicTriangulation<Geometry>::add_boundary_facets(const TetRecord& tet) {
+  for (int i = 0; i < 4; ++i) {
+    const int* c = kFacetCorners[i];
+    BoundaryFacet facet{{tet.v[c[0]], tet.v[c[1]], tet.v[c[2]]}, tet.n[i]};
+    while (facet.v[0] == kInfinite || facet.v[1] == kInfinite)
+      std::rotate(facet.v, facet.v + 1, facet.v + 3);  // keeps the orientation, puts infinity last
+    boundary_.push_back_if(store_.mark(tet_of(tet.n[i])) == kSpared, facet);
+  }
+}
+
+template <class Geometry>
+void BasicTriangulation<Geometry>::carve(const Point& p, TetId in_conflict_with_p) {
+  cavity_.clear();
   boundary_.clear();
   spared_.clear();
+  cavity_.push_back(in_conflict_with_p);
   store_.mark(in_conflict_with_p) = kDoomed;
   for (std::size_t next = 0; next < cavity_.size(); ++next) {
     const TetRecord& tet = store_[cavity_[next]];
-    for (int i = 0; i < 4; ++i) {
-      const TetId neighbour = tet_of(tet.n[i]);
-      std::uint8_t& mark = store_.mark(neighbour);
-      if (mark == kUntested) {
-        if (in_conflict(neighbour, p)) {
-          mark = kDoomed;
-          cavity_.push_back(neighbour);
-          for (const Facet beyond : store_[neighbour].n) store_.prefetch(tet_of(beyond));
-        } else {
-          mark = kSpared;
-          spared_.push_back(neighbour);
-        }
-      }
-      if (mark == kSpared) add_boundary_facet(tet, i);
-    }
+    doom_neighbours(tet, p);
+    add_boundary_facets(tet);
   }
 }
 

@@ -85,8 +85,8 @@ class BasicTriangulation {
     VertexId v[3];  ///< (v, new vertex) is positively oriented; an infinite corner comes last
     Facet outer;    ///< the facet's other side, outside of the cavity
   };
-  std::span<const TetId> cavity() const { return cavity_; }
-  std::span<const BoundaryFacet> boundary() const { return boundary_; }
+  std::span<const TetId> cavity() const { return cavity_.span(); }
+  std::span<const BoundaryFacet> boundary() const { return boundary_.span(); }
   /// Replaces the cavity by the star of p; returns p's vertex.
   VertexId fill(const Point& p);
   /// Leaves everything as it was before carve.
@@ -113,7 +113,8 @@ class BasicTriangulation {
   void start();
   void fill_with(VertexId v);
   int orient(VertexId a, VertexId b, VertexId c, const Point& p) const;
-  void add_boundary_facet(const TetRecord& tet, int slot);
+  void doom_neighbours(const TetRecord& tet, const Point& p);
+  void add_boundary_facets(const TetRecord& tet);
   void number_boundary_vertices();
   void make_star(VertexId v);
   void link_star();
@@ -126,8 +127,9 @@ class BasicTriangulation {
   std::vector<VertexId> basis_;  ///< affinely independent vertices, dimension_ + 1 of them
   std::map<Vec3, VertexId, decltype(&lex_less)> flat_{&lex_less};  ///< all vertices while dimension_ < 3
 
-  std::vector<TetId> cavity_, spared_, created_;
-  std::vector<BoundaryFacet> boundary_;
+  PodVector<TetId> cavity_, spared_;
+  std::vector<TetId> created_;
+  PodVector<BoundaryFacet> boundary_;
   std::vector<LocalFacet> local_;  ///< one per boundary facet
   std::uint64_t next_number_ = 1;
   EdgeMap edges_;

@@ -160,19 +160,21 @@ int compare_radius_edge(const Tet& t, const RatioBound& bound, StageCounts& coun
                      [&](const auto& shape) { return shape.ratio_excess(coefficients(shape, bound)); });
 }
 
-bool is_bad(const Tet& t, const QualityBounds& bounds, StageCounts& counts) {
+Judgement judge(const Tet& t, const QualityBounds& bounds, StageCounts& counts) {
   const Edges<double> edges = edges_of(t);
   const DoubleShape shape(edges);
-  const double scale = scale_of(shape);
+  const double scale = scale_of(shape), radius_sq = 0.25 * shape.center_sq() / shape.det_sq();
   const Verdict verdict = filtered_verdict(shape, scale, bounds);
   if (verdict != Verdict::kUnknown) {
     ++counts.filter;
-    return verdict == Verdict::kBad;
+    return {verdict == Verdict::kBad, radius_sq};
   }
   const auto& [min, max, ratio] = bounds;
-  return decide_exactly({edges, scale, std::max({size_of(min), size_of(max), size_of(ratio)}),
-                         std::max({bits_of(min), bits_of(max), bits_of(ratio)})},
-                        counts, [&bounds](const auto& exact) { return is_bad_shape(exact, bounds); });
+  const bool bad =
+      decide_exactly({edges, scale, std::max({size_of(min), size_of(max), size_of(ratio)}),
+                      std::max({bits_of(min), bits_of(max), bits_of(ratio)})},
+                     counts, [&bounds](const auto& exact) { return is_bad_shape(exact, bounds); });
+  return {bad, radius_sq};
 }
 
 }  // namespace unsliver::exact

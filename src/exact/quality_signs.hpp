@@ -46,8 +46,18 @@ int compare_dihedral(const Tet& t, int i, int j, const CosBound& bound, StageCou
 /// Sign of (circumradius / shortest edge)^2 - bound.
 int compare_radius_edge(const Tet& t, const RatioBound& bound, StageCounts& counts);
 
-/// Some dihedral angle is below the minimum or above the maximum, or the radius-edge ratio is above its
+/// Of a tetrahedron, as judge() finds it.
+struct Judgement {
+  bool is_bad;       ///< exact
+  double radius_sq;  ///< the squared circumradius as doubles give it: anything where the tetrahedron is flat
+};
+
+/// Bad: some dihedral angle is below the minimum or above the maximum, or the radius-edge ratio is above its
 /// bound.
-bool is_bad(const Tet& t, const QualityBounds& bounds, StageCounts& counts);
+Judgement judge(const Tet& t, const QualityBounds& bounds, StageCounts& counts);
+
+inline bool is_bad(const Tet& t, const QualityBounds& bounds, StageCounts& counts) {
+  return judge(t, bounds, counts).is_bad;
+}
 
 }  // namespace unsliver::exact

@@ -106,12 +106,15 @@ class Shape {
 
   /// Its sign is that of (circumradius / shortest edge)^2 - bound.
   constexpr Eight ratio_excess(const Coefficients<Eight>& bound) const {
-    const Eight center_sq = Eight(l0_) * sum(g00_, l0_, g01_, l1_, g02_, l2_) +
-                            Eight(l1_) * sum(g01_, l0_, g11_, l1_, g12_, l2_) +
-                            Eight(l2_) * sum(g02_, l0_, g12_, l1_, g22_, l2_);
-    const Eight det_sq = sum(g00_, l0_, g01_, e01_, g02_, e02_);
-    return bound.den * center_sq - bound.num * (Eight(shortest()) * det_sq);
+    return bound.den * center_sq() - bound.num * (Eight(shortest()) * det_sq());
   }
+  /// |X|^2 and det^2: the squared circumradius is their ratio over 4.
+  constexpr Eight center_sq() const {
+    return Eight(l0_) * sum(g00_, l0_, g01_, l1_, g02_, l2_) +
+           Eight(l1_) * sum(g01_, l0_, g11_, l1_, g12_, l2_) +
+           Eight(l2_) * sum(g02_, l0_, g12_, l1_, g22_, l2_);
+  }
+  constexpr Eight det_sq() const { return sum(g00_, l0_, g01_, e01_, g02_, e02_); }
 
   /// The smallest and the largest squared edge.
   constexpr Two shortest() const {

@@ -80,46 +80,63 @@ std::optional<double> certificate(Refinement& r, TetId t, const Vec3& w, Level l
   return r.inputs().lfs_at_most(w, budget) ? std::optional(budget) : std::nullopt;
 }
 
-/// The region comes first: it is what most points fail by. Points in the circumsphere as rounded are in
-/// conflict but for ties.
-std::optional<Candidate> admissible(Refinement& r, TetId t, const Vec3& w, Level level) {
-  if (!r.inputs().region_is_empty(w, level)) return std::nullopt;
-  if (!conflicts(r, t, w)) return std::nullopt;
-  const Level label = r.inputs().coarsest_label(w, level);
-  const auto bound = certificate(r, t, w, label);
-  return bound ? std::optional(Candidate{w, label, *bound}) : std::nullopt;
-}
+/// The search for one bad tetrahedron.
+class CandidateSearch {
+ public:
+  CandidateSearch(Refinement& r, TetId t) : r_(r), t_(t), sphere_(circumsphere(r.mesh().corners(t))) {
+    for (const VertexId v : r.mesh().tet(t).v)
+      if (r.is_input(v)) inputs_[input_count_++] = r.mesh().point(v);
+  }
 
-bool has_input_corner(const Refinement& r, TetId t) {
-  const auto& v = r.mesh().tet(t).v;
-  return std::any_of(std::begin(v), std::end(v), [&r](VertexId corner) { return r.is_input(corner); });
-}
+  std::optional<Candidate> run(Level finest) {
+    const double radius = std::sqrt(sphere_.radius_sq);
+    const double to_input = input_count_ > 0 ? radius : std::numeric_limits<double>::infinity();
+    for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {
+      const double reach = std::min(radius, kSearchRadius * lattice::covering_radius(level));
+      if (r_.inputs().no_region_is_empty(level, to_input + reach)) continue;
+      if (auto candidate = of_level(level, reach)) return candidate;
+    }
+    return std::nullopt;
+  }
 
-/// Of the level's points that are inside the sphere, the admissible one nearest to its centre.
-std::optional<Candidate> admissible_of_level(Refinement& r, TetId t, const geom::Sphere& sphere, Level level,
-                                             double reach) {
-  const Vec3 nearest = lattice::nearest(level, sphere.center);
-  if (dist_sq(nearest, sphere.center) > sphere.radius_sq * (1 + 1e-9)) return std::nullopt;
-  if (auto candidate = admissible(r, t, nearest, level)) return candidate;
-  std::vector<Vec3> points = points_in_ball(level, sphere.center, reach);
-  std::erase(points, nearest);
-  while (!points.empty())
-    if (auto candidate = admissible(r, t, take_nearest(points, sphere.center), level)) return candidate;
-  return std::nullopt;
-}
+ private:
+  /// Of the level's points that are inside the sphere, the admissible one nearest to its centre.
+  std::optional<Candidate> of_level(Level level, double reach) {
+    const Vec3 nearest = lattice::nearest(level, sphere_.center);
+    if (dist_sq(nearest, sphere_.center) > sphere_.radius_sq * (1 + 1e-9)) return std::nullopt;
+    if (auto candidate = admissible(nearest, level)) return candidate;
+    std::vector<Vec3> points = points_in_ball(level, sphere_.center, reach);
+    std::erase(points, nearest);
+    while (!points.empty())
+      if (auto candidate = admissible(take_nearest(points, sphere_.center), level)) return candidate;
+    return std::nullopt;
+  }
+
+  /// In the order of what most points fail by, and of what is cheap.
+  std::optional<Candidate> admissible(const Vec3& w, Level level) {
+    if (region_holds_corner(w, level) || !r_.inputs().region_is_empty(w, level) || !conflicts(r_, t_, w))
+      return std::nullopt;
+    const Level label = r_.inputs().coarsest_label(w, level);
+    const auto bound = certificate(r_, t_, w, label);
+    return bound ? std::optional(Candidate{w, label, *bound}) : std::nullopt;
+  }
+
+  bool region_holds_corner(const Vec3& w, Level level) const {
+    return std::any_of(inputs_.begin(), inputs_.begin() + input_count_,
+                       [&](const Vec3& u) { return lattice::in_forbidden_region(w, level, u); });
+  }
+
+  Refinement& r_;
+  TetId t_;
+  geom::Sphere sphere_;
+  std::array<Vec3, 4> inputs_;  ///< those among t's corners
+  int input_count_ = 0;
+};
 
 }  // namespace
 
 std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level finest) {
-  const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
-  const double radius = std::sqrt(sphere.radius_sq);
-  const double to_input = has_input_corner(r, t) ? radius : std::numeric_limits<double>::infinity();
-  for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {
-    const double reach = std::min(radius, kSearchRadius * lattice::covering_radius(level));
-    if (r.inputs().no_region_is_empty(level, to_input + reach)) continue;
-    if (auto candidate = admissible_of_level(r, t, sphere, level, reach)) return candidate;
-  }
-  return std::nullopt;
+  return CandidateSearch(r, t).run(finest);
 }
 
 }  // namespace unsliver::refine

@@ -16,11 +16,14 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw Error(ErrorCode::kBadOption, message);
 }
 
+/// Flatter tetrahedra than these could be inverted when their input corners are written as they were given.
+constexpr double kFlattestMin = 0.06, kFlattestMax = 179.94;
+
 }  // namespace
 
 exact::QualityBounds quality_bounds(const MeshOptions& options, bool with_input_vertices) {
   const double least_ratio = least_radius_edge(with_input_vertices);
-  const double max_ratio = options.max_radius_edge == 0 ? least_ratio : options.max_radius_edge;
+  const double max_ratio = max_radius_edge(options, with_input_vertices);
   // Negated comparisons: NaN fails them too.
   require(options.min_dihedral_deg >= 0 && options.min_dihedral_deg <= 30,
           fmt::format(
@@ -33,6 +36,12 @@ exact::QualityBounds quality_bounds(const MeshOptions& options, bool with_input_
           "maximum dihedral angle {}: must be between 135 and 180 degrees; no theorem backs less than 135 "
           "(Labelle 2006, section 4)",
           options.max_dihedral_deg));
+  require(
+      !with_input_vertices || options.min_dihedral_deg >= kFlattestMin ||
+          options.max_dihedral_deg <= kFlattestMax,
+      fmt::format("angles from {} to {}: beside input vertices demand at least {} or at most {} degrees, or "
+                  "rounding may invert tetrahedra",
+                  options.min_dihedral_deg, options.max_dihedral_deg, kFlattestMin, kFlattestMax));
   require(max_ratio >= least_ratio * (1 - 1e-12),
           fmt::format(
               "maximum radius-edge ratio {}: must be at least {}; no theorem backs less (Labelle 2006, {})",

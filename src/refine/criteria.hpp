@@ -7,6 +7,11 @@
 
 namespace unsliver::refine {
 
+/// The ratio asked for: the least that is proven where 0 was.
+inline double max_radius_edge(const MeshOptions& options, bool with_input_vertices) {
+  return options.max_radius_edge == 0 ? least_radius_edge(with_input_vertices) : options.max_radius_edge;
+}
+
 /// \throws Error kBadOption where a demand is stricter than the guarantee or not a number.
 exact::QualityBounds quality_bounds(const MeshOptions& options, bool with_input_vertices);
 

@@ -157,8 +157,8 @@ void figure_8_thrifty(Refinement& r) {
   r.enter_phase("quality");
   RadiusQueue queue;
   const auto push_if_bad = [&](TetId t) {
-    if (r.mesh().is_finite(t) && r.is_bad(t))
-      queue.push(queued(r, t), circumsphere(r.mesh().corners(t)).radius_sq);
+    if (!r.mesh().is_finite(t)) return;
+    if (const auto [is_bad, radius_sq] = r.judge(t); is_bad) queue.push(queued(r, t), radius_sq);
   };
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) push_if_bad(t);
   while (const auto next = queue.pop()) {

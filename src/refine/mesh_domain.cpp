@@ -145,6 +145,9 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
   MeshResult result = octree ? mesh_by_octree(domain, sizing, resolved, control)
                              : mesh_by_refinement(domain, sizing, inputs, resolved, control);
   result.stats.strategy = resolved.strategy;
+  if (result.status == MeshStatus::kDone)
+    result.mesh.limits = QualityLimits{options.min_dihedral_deg, options.max_dihedral_deg,
+                                       refine::max_radius_edge(options, !inputs.empty())};
   return result;
 }
 

@@ -26,7 +26,7 @@ inline bool still_there(const Refinement& r, const Queued& entry) {
 /// Smallest circumradius first, to one percent; last in first out among equals. Both operations are O(1).
 class RadiusQueue {
  public:
-  /// Requires 1 <= radius_sq < 2^200.
+  /// Numbers that are no squared radii come last.
   void push(const Queued& entry, double radius_sq) {
     const std::size_t bucket = bucket_of(radius_sq);
     buckets_[bucket].push_back(entry);

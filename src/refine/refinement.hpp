@@ -78,7 +78,8 @@ class Refinement {
   /// See Domain::plainly_outside.
   bool plainly_outside(const Tet& world_tet) const { return domain_.plainly_outside(to_caller(world_tet)); }
   /// Dihedral angle or radius-edge ratio out of bounds, decided exactly.
-  bool is_bad(TetId t) { return exact::is_bad(mesh_.corners(t), bounds_, quality_counts_); }
+  bool is_bad(TetId t) { return judge(t).is_bad; }
+  exact::Judgement judge(TetId t) { return exact::judge(mesh_.corners(t), bounds_, quality_counts_); }
 
   /// s at p, capped (an infinite size means: as coarse as the domain).
   double size_at(const Vec3& p) const;

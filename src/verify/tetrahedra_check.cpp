@@ -162,16 +162,25 @@ class Pass {
     const VerifyReport& r = c_.reporter.report();
     std::string angles =
         "dihedral angles: in [" + brief(r.min_dihedral_deg) + ", " + brief(r.max_dihedral_deg) + "] degrees";
-    std::string ratio = "radius-edge ratio: at most " + brief(r.max_radius_edge);
-    if (const auto& g = c_.options.guarantee) {
-      angles += "; guarantee [" + brief(g->min_dihedral_deg) + ", " + brief(g->max_dihedral_deg) + "] " +
-                outcome("dihedral") + ", attained by " + grouped(at_min_) + " and " + grouped(at_max_) +
-                " tetrahedra";
+    std::string ratio = std::isfinite(r.max_radius_edge)
+                            ? "radius-edge ratio: at most " + brief(r.max_radius_edge)
+                            : "radius-edge ratio: unbounded";
+    const auto& g = c_.options.guarantee;
+    if (g && (bounds_.min_angle || bounds_.max_angle)) angles += "; guarantee " + angles_of(*g);
+    if (g && bounds_.ratio)
       ratio += "; guarantee " + brief(g->max_radius_edge) + " " + outcome("radius-edge") + ", attained by " +
                grouped(at_ratio_) + " tetrahedra";
-    }
     c_.reporter.line(angles);
     c_.reporter.line(ratio);
+  }
+
+  /// Only those that are bounds.
+  std::string angles_of(const QualityGuarantee& g) const {
+    std::string bounds, attained;
+    if (bounds_.min_angle) bounds = "at least " + brief(g.min_dihedral_deg), attained = grouped(at_min_);
+    if (bounds_.min_angle && bounds_.max_angle) bounds += " and ", attained += " and ";
+    if (bounds_.max_angle) bounds += "at most " + brief(g.max_dihedral_deg), attained += grouped(at_max_);
+    return bounds + " " + outcome("dihedral") + ", attained by " + attained + " tetrahedra";
   }
 
   std::string outcome(const char* check) const {

@@ -197,6 +197,16 @@ TEST(Figure5, RelaxedDemandsNeedFewerVertices) {
   EXPECT_TRUE(verify(result.mesh, options).ok);
 }
 
+TEST(Figure5, AFinishedMeshSaysWhatItWasHeldTo) {
+  MeshOptions options;
+  options.min_dihedral_deg = 20;
+  for (const Strategy strategy : {Strategy::kThrifty, Strategy::kLiteral, Strategy::kOctree}) {
+    options.strategy = strategy;
+    const MeshResult result = mesh_domain(*make_ball({0, 0, 0}, 1), *constant_size(0.5), options);
+    EXPECT_EQ(result.mesh.limits, (QualityLimits{20, 135, least_radius_edge(false)}));
+  }
+}
+
 TEST(Figure5, RefusesDemandsThatNoTheoremBacks) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
   const SizingPtr size = constant_size(0.5);

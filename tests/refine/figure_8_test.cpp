@@ -186,7 +186,8 @@ Points distinct(Points points) {
 
 void expect_verified(const Job& job, const TetMesh& mesh, const MeshOptions& asked = {}) {
   VerifyOptions options;
-  options.guarantee = QualityGuarantee{asked.min_dihedral_deg, asked.max_dihedral_deg, 1.368};
+  options.guarantee = QualityGuarantee{asked.min_dihedral_deg, asked.max_dihedral_deg,
+                                       std::max(asked.max_radius_edge, least_radius_edge(true))};
   options.delaunay_global = mesh.tets.size() < 5000;
   if (job.size->at({}) < kNoSize) options.size = [&](const Vec3& p) { return job.size->at(p); };
   options.inside = [&](const Vec3& p) { return job.domain->contains(p); };
@@ -295,6 +296,16 @@ TEST(Figure8, RefusesARatioThatOnlyLatticesReach) {
   MeshOptions options;
   options.max_radius_edge = 1.2;
   EXPECT_THROW(mesh({"", random_points(3, 1)}, options), Error);
+}
+
+TEST(Figure8, RefusesDemandsThatRoundingOfInputsCouldBreak) {
+  MeshOptions options;
+  options.max_radius_edge = 3;
+  options.min_dihedral_deg = 0.05, options.max_dihedral_deg = 179.99;
+  EXPECT_THROW(mesh({"", random_points(3, 1)}, options), Error);
+  options.max_dihedral_deg = 179;
+  const Job job{"", random_points(3, 1)};
+  expect_verified(job, mesh(job, options).mesh, options);
 }
 
 TEST(Figure8, RefusesDistinctInputsThatTheWorldCannotTell) {
