@@ -23,6 +23,7 @@ enum class Strategy {
   kThrifty,  ///< same guarantees, fewer vertices: both lattices, fitted unit, chosen candidates
   kOctree,   ///< closure under parents in place of Figure 5: no angle test, by far the fastest, but where s
              ///< varies its vertices are more. No input vertices
+  kClosure,  ///< size enforcement and closure under parents with the kernel: no angle test. No input vertices
 };
 const char* to_string(Strategy strategy);
 

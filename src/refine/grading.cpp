@@ -23,6 +23,7 @@ double size_or_zero(const Sizing& sizing, const Vec3& p) {
 
 GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices) {
   if (strategy == Strategy::kOctree) return {};
+  if (strategy == Strategy::kClosure) return {refine::kClosureC, refine::kClosureGrading};
   const bool literal = strategy == Strategy::kLiteral;
   if (with_input_vertices)
     return {literal ? refine::kFigure8LiteralC : refine::kFigure8ThriftyC, refine::kFigure8Grading};

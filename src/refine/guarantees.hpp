@@ -42,6 +42,19 @@ inline double figure_5_budget(lattice::Level label) {
   return std::ldexp(lattice::is_bcc(label) ? kFigure5B : kFigure5A, lattice::exponent(label));
 }
 
+/// Parent closure (docs/CLOSURE.md), with labels that are canonical levels. A parent u of v in SC_k is in
+/// BCC_{k+1} and at most sqrt(2) 2^k away, one of v in BCC_k is in SC_k and sqrt(3)/2 2^k away: (1) survives
+/// for a + sqrt(2) <= 2 b and b + sqrt(3)/2 <= a. With equality a = sqrt(3) + sqrt(2), b = sqrt(3)/2 +
+/// sqrt(2); neighbours are at least lfs / (1 + a) away, and c is as for Figure 5.
+inline constexpr double kClosureA = 3.1462643699419723;
+inline constexpr double kClosureB = 2.2802389661575337;
+inline constexpr double kClosureC = 1.97;  // 1.9875 less the witness slack
+inline constexpr double kClosureGrading = 1 / (1 + kClosureA);
+
+inline double closure_budget(lattice::Level level) {
+  return std::ldexp(lattice::is_bcc(level) ? kClosureB : kClosureA, lattice::exponent(level));
+}
+
 /// Figure 8 (section 5.2.6): alpha = (2 sqrt 3 + 4 rho)(2 sqrt 3 + 2 rho) + 3 sqrt 3 / 2 + 2 rho,
 /// a = alpha + sqrt 5 + 5 sqrt 3 + 5 rho, b >= (a + sqrt 5)/2. The alpha that certificates must meet is
 /// rounded down, a and b are those that follow from it.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "octree/octree.hpp"
+#include "refine/closure.hpp"
 #include "refine/criteria.hpp"
 #include "refine/extract.hpp"
 #include "refine/figure_5.hpp"
@@ -35,6 +36,8 @@ const char* to_string(Strategy strategy) {
       return "thrifty";
     case Strategy::kOctree:
       return "octree";
+    case Strategy::kClosure:
+      return "closure";
   }
   return "unknown";
 }
@@ -61,6 +64,7 @@ void copy_counts(const refine::Refinement& refinement, MeshStats& stats) {
 
 void run(refine::Refinement& r, Strategy strategy) {
   const bool literal = strategy == Strategy::kLiteral;
+  if (strategy == Strategy::kClosure) return refine::closure(r);
   if (r.inputs().empty())
     literal ? refine::figure_5_literal(r) : refine::figure_5_thrifty(r);
   else
@@ -140,8 +144,10 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
   MeshOptions resolved = options;
   resolved.strategy = resolved_strategy(options.strategy, sizing, !inputs.empty());
   const bool octree = resolved.strategy == Strategy::kOctree;
-  if (octree && !inputs.empty())
-    throw Error(ErrorCode::kBadOption, "the octree strategy knows no input vertices: use thrifty or literal");
+  if ((octree || resolved.strategy == Strategy::kClosure) && !inputs.empty())
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("the {} strategy knows no input vertices: use thrifty or literal",
+                            to_string(resolved.strategy)));
   MeshResult result = octree ? mesh_by_octree(domain, sizing, resolved, control)
                              : mesh_by_refinement(domain, sizing, inputs, resolved, control);
   result.stats.strategy = resolved.strategy;

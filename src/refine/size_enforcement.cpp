@@ -23,7 +23,7 @@ namespace {
 /// fills the slot anew: a ball that holds a vertex keeps it.
 class Sweeps {
  public:
-  explicit Sweeps(Refinement& r) : r_(r), search_(r) {}
+  Sweeps(Refinement& r, const InsertForSize& insert) : r_(r), insert_(insert), search_(r) {}
 
   /// One round, for the sizing function max(s, floor). The long searches come second, when only the
   /// tetrahedra that will stay are left to search.
@@ -49,10 +49,10 @@ class Sweeps {
         pending.pop_back();
         if (known_[t] > least || !r_.mesh().is_finite(t)) continue;
         if (const auto ball = find(t)) {
-          insert_for_size(r_, search_, *ball, t);
-          forget(r_.created());
+          const std::span<const TetId> made = insert_(search_, *ball, t);
+          forget(made);
           pending.push_back(t);  // it may survive: w can lie outside its circumsphere
-          pending.insert(pending.end(), r_.created().begin(), r_.created().end());
+          pending.insert(pending.end(), made.begin(), made.end());
         } else {
           known_[t] = least == Known::kNothing && search_.open_question() ? Known::kOpen : Known::kCovered;
         }
@@ -66,18 +66,26 @@ class Sweeps {
   }
 
   Refinement& r_;
+  const InsertForSize& insert_;
   EmptyBallSearch search_;
   PodVector<Known> known_;
 };
 
 }  // namespace
 
-void enforce_size(Refinement& r) {
-  Sweeps sweeps(r);
+void enforce_size(Refinement& r, const InsertForSize& insert) {
+  Sweeps sweeps(r, insert);
   double floor = r.smallest_size();
   while (floor < r.largest_size()) floor *= 2;
   for (; floor > r.smallest_size(); floor /= 2) sweeps.round(floor);
   sweeps.round(0);
+}
+
+void enforce_size(Refinement& r) {
+  enforce_size(r, [&r](const EmptyBallSearch& search, const EmptyBall& ball, TetId near) {
+    insert_for_size(r, search, ball, near);
+    return r.created();
+  });
 }
 
 }  // namespace unsliver::refine

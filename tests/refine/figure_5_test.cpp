@@ -139,6 +139,15 @@ TEST(Figure5, OctreesKeepEveryGuaranteeToo) {
   }
 }
 
+TEST(Figure5, ClosureKeepsEveryGuaranteeToo) {
+  for (const Job& job : jobs()) {
+    SCOPED_TRACE(job.name);
+    const MeshResult result = mesh_domain(*job.domain, *job.size, with(Strategy::kClosure));
+    EXPECT_EQ(result.stats.quality_insertions, 0U);
+    expect_verified(job, result.mesh, Strategy::kClosure);
+  }
+}
+
 TEST(Figure5, AutoTakesOctreesForConstantSizes) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
   EXPECT_EQ(mesh_domain(*ball, *constant_size(0.2)).stats.strategy, Strategy::kOctree);
