@@ -62,12 +62,12 @@ Cell child_at(const Cell& cell, const Vec3& q) {
 }
 
 /// Vertices per volume (caller's units) in the leaf that holds x, balance left aside.
-double vertex_density(LeafTest& test, int root_exponent, const Vec3& x) {
+double vertex_density(LeafTest& test, int root_exponent, std::uint8_t root_flags, const Vec3& x) {
   const Vec3 q = test.world().to_world_real(x);
   const double side = std::ldexp(1.0, root_exponent);
   const auto lower = [side](double c) { return std::int64_t(std::floor(c / side) * side); };
   Cell cell{kNoNode, root_exponent, lower(q.x), lower(q.y), lower(q.z)};
-  std::uint8_t flags = 0;
+  std::uint8_t flags = root_flags;
   for (;; cell = child_at(cell, q)) {
     flags = test.flags(cell, flags);
     const Verdict verdict = test.judge(cell, flags);
@@ -78,14 +78,19 @@ double vertex_density(LeafTest& test, int root_exponent, const Vec3& x) {
 }
 
 /// How many vertices are needed for each that the thinnest covering would take, but for a factor.
+double surplus(LeafTest test, int root_exponent, std::uint8_t root_flags,
+               const std::vector<Sample>& samples) {
+  double sum = 0;
+  for (const Sample& s : samples)
+    sum += vertex_density(test, root_exponent, root_flags, s.at) / s.ideal_density();
+  return sum;
+}
+
 double surplus(const Domain& domain, const Sizing& sizing, double radius,
                const std::vector<Sample>& samples) {
   const lattice::World world = lattice::World::fit(domain.bounds(), radius);
-  LeafTest test(domain, sizing, world);
   const int root_exponent = brick_around(in_world(domain.bounds(), world)).exponent;
-  double sum = 0;
-  for (const Sample& s : samples) sum += vertex_density(test, root_exponent, s.at) / s.ideal_density();
-  return sum;
+  return surplus(LeafTest(domain, sizing, world), root_exponent, 0, samples);
 }
 
 }  // namespace
@@ -102,6 +107,20 @@ double fit_radius(const Domain& domain, const Sizing& sizing) {
     if (its_surplus < best_surplus) best = radius, best_surplus = its_surplus;
   }
   return best;
+}
+
+const BoxLattice& fit_lattice(const std::vector<BoxLattice>& lattices, const Domain& box,
+                              const Sizing& sizing) {
+  if (lattices.size() == 1) return lattices.front();
+  const std::vector<Sample> samples = where_vertices_are(draw(box, sizing));
+  const BoxLattice* best = nullptr;
+  double best_surplus = std::numeric_limits<double>::infinity();
+  for (const BoxLattice& lattice : lattices) {
+    const LeafTest test(box, sizing, lattice.world);
+    const double its_surplus = surplus(test, lattice.brick.exponent, kWholeInside, samples);
+    if (best == nullptr || its_surplus < best_surplus) best = &lattice, best_surplus = its_surplus;
+  }
+  return *best;
 }
 
 }  // namespace unsliver::octree

@@ -122,7 +122,7 @@ LeafTestCounts grow(Forest& forest, const LeafTest& test, const GrowthSettings& 
     pulses.emplace_back(settings, all_nodes, worker == 0);
 
   std::vector<Pending> roots;
-  for_each_root(forest, [&](const Cell& root) { roots.push_back({root, 0}); });
+  for_each_root(forest, [&](const Cell& root) { roots.push_back({root, settings.root_flags}); });
   Growth top(forest, tests[0], settings.all_centers, pulses[0]);
   while (!roots.empty() && roots.size() < kSubtrees) roots = top.grow_layer(roots);
 

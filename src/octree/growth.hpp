@@ -18,6 +18,7 @@ Brick brick_around(const Box3& box);
 struct GrowthSettings {
   unsigned threads = 1;
   bool all_centers = false;
+  std::uint8_t root_flags = 0;  ///< what is known of all roots
   /// Called now and then from the calling thread, with the bytes held so far (about); may throw.
   std::function<void(std::uint64_t)> poll;
 };

@@ -154,7 +154,7 @@ bool LeafTest::satisfies_e(const Cell& cell, std::uint8_t flags, double radius) 
 
 /// Is the box's centre a point of the domain where (E) fails?
 bool LeafTest::refuted_by_center(const Box& box, int side, const Vec3& x, double h, double radius) {
-  if (!meets_dodecahedron(box.center, 0)) return false;
+  if (!meets_dodecahedron(box.center, 0) || !bounds_.contains(x)) return false;
   if (side == 0 && !domain_.contains(x)) return false;
   const double size = size_at(x);
   return size * size < radius * radius - h * h * distance_to_leaf_sq(box.center, 0);

@@ -15,6 +15,8 @@
 /// A leaf whose ball of radius 3.67 h lies inside the domain (kDeep) has no such neighbour: the neighbour's
 /// side is at most 2h, its centre at most 1.67 h away. It needs less: (A) s(p) >= the distance from p to the
 /// vertices of C, for p in C.
+///
+/// Where the domain is the forest's brick itself, all tetrahedra are kept: all nodes are kWholeInside.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +29,9 @@
 #include "unsliver/sizing.hpp"
 
 namespace unsliver::octree {
+
+/// The flags of all nodes of a brick that is its own domain.
+inline constexpr std::uint8_t kWholeInside = kInside | kDeep;
 
 enum class Verdict { kSplit, kWithCenter, kPlain };
 

@@ -1,8 +1,9 @@
 #include <chrono>
+#include <cmath>
 #include <optional>
 
-#include "lattice/world.hpp"
 #include "octree/balance.hpp"
+#include "octree/box_faces.hpp"
 #include "octree/emission.hpp"
 #include "octree/fit.hpp"
 #include "octree/growth.hpp"
@@ -19,20 +20,39 @@ struct Stopped {
   OctreeStatus status;
 };
 
+/// Where to grow what.
+struct Ground {
+  BoxLattice lattice;
+  std::uint8_t root_flags;
+
+  bool is_domain() const { return root_flags == kWholeInside; }
+};
+
+Ground around(const Domain& domain, const Sizing& sizing) {
+  const auto world = lattice::World::fit(domain.bounds(), fit_radius(domain, sizing));
+  return {{world, brick_around(in_world(domain.bounds(), world))}, 0};
+}
+
+Ground exactly(const Box3& box, const Domain& domain, const Sizing& sizing) {
+  return {fit_lattice(lattices_of(box), domain, sizing), kWholeInside};
+}
+
 class Run {
  public:
-  Run(const Domain& domain, const Sizing& sizing, const OctreeOptions& options, const Control& control)
-      : domain_(domain),
+  Run(const Ground& ground, const Domain& domain, const Sizing& sizing, const OctreeOptions& options,
+      const Control& control)
+      : ground_(ground),
+        domain_(domain),
         options_(options),
         control_(control),
-        world_(lattice::World::fit(domain.bounds(), fit_radius(domain, sizing))),
-        test_(domain, sizing, world_),
-        forest_(brick_around(in_world(domain.bounds(), world_))) {}
+        test_(domain, sizing, ground_.lattice.world),
+        forest_(ground.lattice.brick) {}
 
   void run() {
     enter("size");
     growth_ = grow(forest_, test_,
-                   {options_.threads, options_.all_centers, [this](std::uint64_t bytes) { poll(bytes); }});
+                   {options_.threads, options_.all_centers, ground_.root_flags,
+                    [this](std::uint64_t bytes) { poll(bytes); }});
     enter("balance");
     stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
     enter("choose");
@@ -45,6 +65,7 @@ class Run {
     emission_->number();
     enter("emit");
     write();
+    if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_);
   }
 
   void finish_phase() {
@@ -69,7 +90,17 @@ class Run {
 
   TetMesh& mesh() { return mesh_; }
 
+  /// Every point of some leaf is within this of its vertices.
+  double radius_of_a_leaf() const {
+    NodeId n = 0;
+    while (!forest_[n].is_leaf()) n = forest_[n].link;
+    const double share = forest_[n].flags & kHasCenter ? lattice::kQuarterSqrt5 : lattice::kHalfSqrt3;
+    return share * std::ldexp(world().unit(), forest_[n].exponent);
+  }
+
  private:
+  const lattice::World& world() const { return ground_.lattice.world; }
+
   void set_child_flags(const Cell& cell) {
     for (int number = 0; number < 8; ++number) {
       const Cell child = forest_.child(cell, number);
@@ -80,7 +111,7 @@ class Run {
 
   bool meets_domain(const Tet& world_tet) const {
     Tet t;
-    for (std::size_t i = 0; i < 4; ++i) t[i] = world_.to_caller(world_tet[i]);
+    for (std::size_t i = 0; i < 4; ++i) t[i] = world().to_caller(world_tet[i]);
     return domain_.meets(t);
   }
 
@@ -90,13 +121,13 @@ class Run {
   }
 
   void write() {
-    mesh_.frame = world_.frame();
+    mesh_.frame = world().frame();
     const std::size_t vertices = emission_->vertex_count(), tets = emission_->tet_count();
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
     mesh_.points.resize(vertices);
     mesh_.levels.resize(vertices);
     emission_->write_points([this](VertexId v, const Vec3& p) {
-      mesh_.points[v] = world_.to_caller(p);
+      mesh_.points[v] = world().to_caller(p);
       mesh_.levels[v] = std::uint8_t(lattice::canonical_level(p));
     });
     mesh_.tets.resize(tets);
@@ -126,10 +157,10 @@ class Run {
     phase_start_ = std::chrono::steady_clock::now();
   }
 
+  const Ground ground_;
   const Domain& domain_;
   const OctreeOptions& options_;
   const Control& control_;
-  lattice::World world_;
   LeafTest test_;
   Forest forest_;
   LeafTestCounts growth_;
@@ -140,13 +171,9 @@ class Run {
   std::chrono::steady_clock::time_point phase_start_, last_report_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
-
-OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options,
-                                const Control& control) {
-  if (options.threads == 0) throw Error(ErrorCode::kBadOption, "the octree mesher needs at least one thread");
+/// Runs to its end, whatever that is.
+OctreeResult result_of(Run& run) {
   OctreeResult result;
-  Run run(domain, sizing, options, control);
   try {
     run.run();
     result.mesh = std::move(run.mesh());
@@ -155,6 +182,29 @@ OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, cons
   }
   run.finish_phase();
   result.stats = run.stats();
+  return result;
+}
+
+void require_thread(const OctreeOptions& options) {
+  if (options.threads == 0) throw Error(ErrorCode::kBadOption, "the octree mesher needs at least one thread");
+}
+
+}  // namespace
+
+OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options,
+                                const Control& control) {
+  require_thread(options);
+  Run run(around(domain, sizing), domain, sizing, options, control);
+  return result_of(run);
+}
+
+OctreeResult mesh_box_octree(const Box3& box, const Sizing& sizing, const OctreeOptions& options,
+                             const Control& control) {
+  require_thread(options);
+  const DomainPtr domain = make_box(box);
+  Run run(exactly(box, *domain, sizing), *domain, sizing, options, control);
+  OctreeResult result = result_of(run);
+  if (sizing.lipschitz() == 0) result.stats.radius = run.radius_of_a_leaf();
   return result;
 }
 

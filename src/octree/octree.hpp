@@ -40,6 +40,7 @@ struct OctreeStats {
   std::uint64_t domain_tests = 0, size_evaluations = 0;
   std::uint64_t needed_tets = 0;  ///< of the result, known also where max_tets ended the run
   std::uint64_t peak_bytes = 0;   ///< held by the generator, result included
+  double radius = 0;  ///< of the largest empty ball, in a box filled exactly with s constant; else 0
 };
 
 struct OctreeResult {
@@ -58,5 +59,14 @@ struct OctreeResult {
 /// nodes or vertices).
 OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options = {},
                                 const Control& control = {});
+
+/// A mesh that fills a box exactly, its vertices those of a forest whose brick is the box.
+///
+/// Ensures (status kDone): all of the above; the union of the tetrahedra is the box, bit for bit; triangles
+/// are the boundary's, outward, labelled 1 to 6: x low, x high, y low, y high, z low, z high.
+/// \throws Error as above; kUnsupported and kLimit for a box that cubes do not fill, with the nearest one
+/// that they do (octree/box_lattice.hpp).
+OctreeResult mesh_box_octree(const Box3& box, const Sizing& sizing, const OctreeOptions& options = {},
+                             const Control& control = {});
 
 }  // namespace unsliver::octree
