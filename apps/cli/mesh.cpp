@@ -8,7 +8,15 @@
 namespace unsliver::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kFooter = R"text(Strategies, all with the same limits on angles and size:
+  octree   by far the fastest; few vertices where the size varies slowly. Without points
+  closure  fewest vertices where the size varies. Without points
+  thrifty  fewest vertices beside points, or where the limits are relaxed
+  literal  the paper's figures to the letter: up to 4 times the vertices
+  auto     with points thrifty; else octree where the size varies slowly or not at all,
+           thrifty where the limits are relaxed, and closure
+
+Examples:
   unsliver mesh spot.obj -o spot.vtu --size 0.02
   unsliver mesh part.stl -o part.msh --edge-length 1.5 --size-gradation 0.3 --size-max 10
   unsliver mesh --box "0 0 0 1 1 2" -o box.mesh --size "0.02 + 0.1 * z"
@@ -24,7 +32,7 @@ Command add_mesh(CLI::App& app) {
   CLI::App* const parser =
       app.add_subcommand("mesh", "Mesh a solid: every dihedral angle between 30 and 135 degrees");
   add_mesh_options(*parser, *options);
-  parser->footer(kExamples);
+  parser->footer(kFooter);
   return {parser, [options] { return run_mesh_command(*options); }};
 }
 

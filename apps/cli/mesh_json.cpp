@@ -50,7 +50,8 @@ Json options_json(const MeshOptions& options) {
           {"max_dihedral_deg", options.max_dihedral_deg},
           {"max_radius_edge", options.max_radius_edge},
           {"max_tets", options.max_tets},
-          {"max_memory_bytes", options.max_memory_bytes}};
+          {"max_memory_bytes", options.max_memory_bytes},
+          {"threads", options.threads}};
 }
 
 Json estimate_json(const SizeEstimate& estimate) {
@@ -68,6 +69,8 @@ Json subcases_json(const MeshStats& stats) {
 
 Json stats_json(const MeshStats& stats) {
   return {{"strategy", to_string(stats.strategy)},
+          {"strategy_reason", stats.strategy_reason},
+          {"threads", stats.threads},
           {"size_insertions", stats.size_insertions},
           {"quality_insertions", stats.quality_insertions},
           {"lemma_6_insertions", stats.lemma_6_insertions},

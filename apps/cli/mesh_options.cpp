@@ -79,10 +79,9 @@ void add_quality_options(CLI::App& parser, MeshCommandOptions& options) {
       ->group(group);
   parser
       .add_option("--strategy", options.strategy,
-                  "thrifty: few vertices; literal: the paper's figures to the\n"
-                  "letter; octree: fastest, for sizes that vary little, without\n"
-                  "points. Default auto: octree for a constant size, else thrifty")
-      ->check(one_of({"auto", "thrifty", "literal", "octree"}))
+                  "how the mesh is made, see the table below. Default: auto, which\n"
+                  "chooses and says why")
+      ->check(one_of({"auto", "thrifty", "literal", "closure", "octree"}))
       ->group(group);
   parser.add_flag("--no-verify", options.no_verify, "skip the independent exact check at the end")
       ->group(group);
@@ -103,6 +102,17 @@ void add_limit_options(CLI::App& parser, MeshCommandOptions& options) {
       ->group(group);
 }
 
+/// More help nobody: a number typed by mistake should not start a million of them.
+constexpr unsigned kMostThreads = 1024;
+
+void add_thread_option(CLI::App& parser, MeshCommandOptions& options) {
+  parser
+      .add_option("--threads", options.threads,
+                  "of strategy octree: the same mesh for every number.\n"
+                  "Default: one for each core. The other strategies use one")
+      ->check(CLI::Range(1u, kMostThreads));
+}
+
 void add_output_options(CLI::App& parser, MeshCommandOptions& options) {
   parser.add_option("-o,--output", options.output, "mesh file: .vtu .msh .mesh .node")->required();
   add_write_options(parser, options.write);
@@ -115,6 +125,7 @@ void add_shared_options(CLI::App& parser, MeshCommandOptions& options) {
   add_size_options(parser, options.size);
   add_quality_options(parser, options);
   add_limit_options(parser, options);
+  add_thread_option(parser, options);
 }
 
 /// `value` must lie between `loosest` and `strictest`, in either order; NaN does not.
@@ -144,13 +155,14 @@ double radius_edge_bound(const std::optional<double>& typed, bool with_inputs) {
 /// An octree run that is ended early has no mesh to keep.
 Strategy strategy_of(const MeshCommandOptions& options) {
   Strategy strategy = Strategy::kAuto;
-  for (const Strategy named : {Strategy::kThrifty, Strategy::kLiteral, Strategy::kOctree})
+  for (const Strategy named : {Strategy::kThrifty, Strategy::kLiteral, Strategy::kClosure, Strategy::kOctree})
     if (options.strategy == to_string(named)) strategy = named;
   if (strategy == Strategy::kOctree && options.keep_partial)
     throw Error(ErrorCode::kBadOption,
                 "--keep-partial has no effect with --strategy octree, which has no mesh until its end");
-  if (strategy == Strategy::kOctree && options.domain.has_inputs())
-    throw Error(ErrorCode::kBadOption, "--strategy octree knows no points: use thrifty or literal");
+  if ((strategy == Strategy::kOctree || strategy == Strategy::kClosure) && options.domain.has_inputs())
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("--strategy {} knows no points: use thrifty or literal", to_string(strategy)));
   return strategy == Strategy::kAuto && options.keep_partial ? Strategy::kThrifty : strategy;
 }
 
@@ -193,6 +205,7 @@ void check_mesh_options(MeshCommandOptions& options) {
   check_angles(options.mesh);
   options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge, options.domain.has_inputs());
   options.mesh.strategy = strategy_of(options);
+  options.mesh.threads = options.threads.value_or(0);
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");
   if (!options.max_memory.empty())
     options.mesh.max_memory_bytes = parse_bytes(options.max_memory, "--max-memory");

@@ -19,6 +19,7 @@ struct MeshCommandOptions {
   MeshOptions mesh;
   std::string strategy = "auto";
   std::optional<double> max_radius_edge;  ///< as typed
+  std::optional<unsigned> threads;        ///< as typed; none = one for each core
   std::string max_tets, max_memory;       ///< as typed; empty = none
   std::string output;
   io::WriteOptions write;

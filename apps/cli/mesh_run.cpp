@@ -55,7 +55,7 @@ class MeshRun {
 
   void settle(const std::string& status, ExitCode code);
   VerifyOptions verify_options() const;
-  std::function<double(const Vec3&)> local_feature_size(double c) const;
+  std::function<double(const Vec3&)> local_feature_size(const GradingGuarantee& grading) const;
   bool can_test_size() const;
   std::vector<Vec3> points_to_cover() const;
   const MeshOptions& asked() const { return *report_.options; }
@@ -194,16 +194,16 @@ VerifyOptions MeshRun::verify_options() const {
   if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
   verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
   const GradingGuarantee grading = grading_guarantee(result_.stats.strategy, inputs().has_value());
-  if (grading.share > 0) verify.lfs_lower_bound = local_feature_size(grading.c);
+  if (grading.share > 0) verify.lfs_lower_bound = local_feature_size(grading);
   verify.grading_constant = grading.share;
   return verify;
 }
 
-std::function<double(const Vec3&)> MeshRun::local_feature_size(double c) const {
+std::function<double(const Vec3&)> MeshRun::local_feature_size(const GradingGuarantee& grading) const {
   const Domain& domain = *report_.source->domain;
   const Sizing& sizing = *report_.size->sizing;
-  return inputs() ? lfs_lower_bound(domain, sizing, c, inputs()->set.points)
-                  : lfs_lower_bound(domain, sizing, c);
+  return inputs() ? lfs_lower_bound(domain, sizing, grading, inputs()->set.points)
+                  : lfs_lower_bound(domain, sizing, grading);
 }
 
 void MeshRun::judge() {

@@ -138,6 +138,11 @@ std::string unverified(const MeshReport& report) {
                                                    : "no: switched off by --no-verify";
 }
 
+std::string strategy(const MeshStats& stats) {
+  return fmt::format("{} ({}), {}", to_string(stats.strategy), stats.strategy_reason,
+                     plural(stats.threads, "thread"));
+}
+
 std::string verdict(const MeshReport& report) {
   if (!report.verified) return unverified(report);
   if (!report.verified->ok)
@@ -156,7 +161,7 @@ std::string to_table(const MeshReport& report) {
   job(table, report);
   slivers(table, report);
   comparison(table, report);
-  if (report.stats) table.row("strategy", to_string(report.stats->strategy));
+  if (report.stats) table.row("strategy", strategy(*report.stats));
   table.row("verified", verdict(report));
   notes(table, report.notes);
   costs(table, report);

@@ -70,7 +70,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 /// Other words for the parser's, where those would puzzle people.
 std::string describe_error(const CLI::App& parser, const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   const std::string name = text.substr(0, text.find_first_of(": "));
   const CLI::Option* const option = parser.get_option_no_throw(name);
   if (option == nullptr) return text;

@@ -18,7 +18,7 @@
 namespace unsliver {
 
 enum class Strategy {
-  kAuto,     ///< kOctree for a constant size without input vertices, else kThrifty
+  kAuto,     ///< see choose_strategy
   kLiteral,  ///< the figure to the letter: SC for size, first point found, first in first out
   kThrifty,  ///< same guarantees, fewer vertices: both lattices, fitted unit, chosen candidates
   kOctree,   ///< closure under parents in place of Figure 5: no angle test, by far the fastest, but where s
@@ -36,6 +36,8 @@ struct MeshOptions {
   std::uint64_t max_tets =
       0;  ///< 0 = no cap. Tetrahedra held, outside ones included; checked every 64 insertions
   std::uint64_t max_memory_bytes = 0;  ///< 0 = no cap. Bytes held while refining; checked every 64 insertions
+  unsigned threads =
+      0;  ///< of kOctree, 0 = one for each core: the mesh does not depend on it. Others use one
 };
 
 /// The least radius-edge ratio that theorems back: sqrt(5)/2 (Figure 5), or 1.368 with input vertices (Figure
@@ -60,6 +62,8 @@ struct PhaseTime {
 /// What happened, for reports. Counts are of events, seconds of wall time.
 struct MeshStats {
   Strategy strategy = Strategy::kThrifty;  ///< the one used, never kAuto
+  std::string strategy_reason;             ///< why, see choose_strategy
+  unsigned threads = 1;
   std::vector<PhaseTime> phases;
   std::uint64_t size_insertions = 0, quality_insertions = 0;
   std::uint64_t lemma_6_insertions = 0;  ///< Case 2 of Figure 5 with a small circumradius
@@ -109,24 +113,32 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOpt
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                        const MeshOptions& options = {}, const Control& control = {});
 
-/// What kAuto stands for.
-Strategy resolved_strategy(Strategy asked, const Sizing& sizing, bool with_input_vertices);
+/// What kAuto stands for: thrifty beside input vertices; else octree where s varies slowly or not at all,
+/// thrifty where limits are relaxed, and closure.
+struct StrategyChoice {
+  Strategy strategy;   ///< never kAuto
+  const char* reason;  ///< in a few words
+};
+StrategyChoice choose_strategy(const MeshOptions& options, const Sizing& sizing, bool with_input_vertices);
 
 /// The grading guarantee of Theorem 7: each vertex v is at distance `share` * lfs(v) or more from its nearest
 /// neighbour, lfs taken with the constant c of Definition 2.
 struct GradingGuarantee {
   double c = 0;
-  double share = 0;  ///< 1 / 6.701 for Figure 5, 1 / 109.8 for Figure 8; 0 for octrees: none is claimed
+  double largest_size = 1;  ///< sizes beyond this share of the domain's diagonal count as that
+  double share = 0;         ///< 1 / 6.701 for Figure 5, 1 / 109.8 for Figure 8, 1 / 4.15 for closure; 0 for
+                            ///< octrees: none is claimed
 };
 /// Requires: not kAuto.
 GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices = false);
 
 /// A sound lower bound of lfs_s(p) = inf over a in the domain of c s(a) + |pa|, from a lower bound and the
-/// Lipschitz constant of s; sizes beyond the domain's diagonal count as that. 0 where s is not defined. The
-/// arguments must outlive the function.
-std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c);
+/// Lipschitz constant of s. 0 where s is not defined. The domain and the sizing function must outlive the
+/// function.
+std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing,
+                                                   const GradingGuarantee& grading);
 /// The smaller of that and lfs_i, the distance to the second nearest of the inputs (equal ones count as one).
-std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing, double c,
-                                                   std::vector<Vec3> inputs);
+std::function<double(const Vec3&)> lfs_lower_bound(const Domain& domain, const Sizing& sizing,
+                                                   const GradingGuarantee& grading, std::vector<Vec3> inputs);
 
 }  // namespace unsliver

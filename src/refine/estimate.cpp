@@ -170,7 +170,7 @@ SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, const Mes
 SizeEstimate estimate_size(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                            const MeshOptions& options) {
   MeshOptions resolved = options;
-  resolved.strategy = resolved_strategy(options.strategy, sizing, !inputs.empty());
+  resolved.strategy = choose_strategy(options, sizing, !inputs.empty()).strategy;
   const Integral integral(domain, sizing);
   const double density = surplus(resolved.strategy, sizing.lipschitz(), !inputs.empty()) / kVolumePerVertex;
   SizeEstimate estimate;

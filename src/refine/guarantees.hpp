@@ -50,6 +50,11 @@ inline constexpr double kClosureA = 3.1462643699419723;
 inline constexpr double kClosureB = 2.2802389661575337;
 inline constexpr double kClosureC = 1.97;  // 1.9875 less the witness slack
 inline constexpr double kClosureGrading = 1 / (1 + kClosureA);
+/// The points of SC_45 are vertices whatever the size, and (1) must hold for those that are kept: at most
+/// sqrt(3) 2^45 from the domain, whose diagonal is at most sqrt(3) 2^45, in world units. sqrt(3) + c / 2
+/// sqrt(3) < 1 + a will do.
+inline constexpr double kClosureLargestSize = 0.5;
+static_assert(1.7321 * (1 + kClosureC * kClosureLargestSize) < 1 + kClosureA);
 
 inline double closure_budget(lattice::Level level) {
   return std::ldexp(lattice::is_bcc(level) ? kClosureB : kClosureA, lattice::exponent(level));

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "octree/octree.hpp"
 #include "refine/closure.hpp"
 #include "refine/criteria.hpp"
@@ -24,27 +27,6 @@ const char* to_string(MeshStatus status) {
       return "cancelled";
   }
   return "unknown";
-}
-
-const char* to_string(Strategy strategy) {
-  switch (strategy) {
-    case Strategy::kAuto:
-      return "auto";
-    case Strategy::kLiteral:
-      return "literal";
-    case Strategy::kThrifty:
-      return "thrifty";
-    case Strategy::kOctree:
-      return "octree";
-    case Strategy::kClosure:
-      return "closure";
-  }
-  return "unknown";
-}
-
-Strategy resolved_strategy(Strategy asked, const Sizing& sizing, bool with_input_vertices) {
-  if (asked != Strategy::kAuto) return asked;
-  return sizing.lipschitz() == 0 && !with_input_vertices ? Strategy::kOctree : Strategy::kThrifty;
 }
 
 namespace {
@@ -114,12 +96,17 @@ MeshStatus status_of(octree::OctreeStatus status) {
   return MeshStatus::kCancelled;
 }
 
+unsigned thread_count(const MeshOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
 MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
                           const Control& control) {
   refine::quality_bounds(options, false);  // refuses what no theorem backs
   octree::OctreeOptions limits;
   limits.max_tets = options.max_tets;
   limits.max_bytes = options.max_memory_bytes;
+  limits.threads = thread_count(options);
   octree::OctreeResult made = octree::mesh_domain_octree(domain, sizing, limits, control);
   MeshResult result;
   result.status = status_of(made.status);
@@ -128,6 +115,7 @@ MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const Mesh
   result.stats.total_vertices = result.mesh.points.size();
   result.stats.total_tets = result.mesh.tets.size();
   result.stats.peak_bytes = made.stats.peak_bytes;
+  result.stats.threads = limits.threads;
   result.stats.domain_tests = made.stats.domain_tests;
   return result;
 }
@@ -142,7 +130,8 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOpt
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                        const MeshOptions& options, const Control& control) {
   MeshOptions resolved = options;
-  resolved.strategy = resolved_strategy(options.strategy, sizing, !inputs.empty());
+  const StrategyChoice choice = choose_strategy(options, sizing, !inputs.empty());
+  resolved.strategy = choice.strategy;
   const bool octree = resolved.strategy == Strategy::kOctree;
   if ((octree || resolved.strategy == Strategy::kClosure) && !inputs.empty())
     throw Error(ErrorCode::kBadOption,
@@ -150,7 +139,8 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
                             to_string(resolved.strategy)));
   MeshResult result = octree ? mesh_by_octree(domain, sizing, resolved, control)
                              : mesh_by_refinement(domain, sizing, inputs, resolved, control);
-  result.stats.strategy = resolved.strategy;
+  result.stats.strategy = choice.strategy;
+  result.stats.strategy_reason = choice.reason;
   if (result.status == MeshStatus::kDone)
     result.mesh.limits = QualityLimits{options.min_dihedral_deg, options.max_dihedral_deg,
                                        refine::max_radius_edge(options, !inputs.empty())};

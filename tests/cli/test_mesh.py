@@ -42,7 +42,7 @@ class Mesh(MeshTest):
                 self.assertLess(report["quality"]["volume"], 4 * volume)
 
     def test_every_strategy_and_format(self):
-        for strategy in ["thrifty", "literal", "octree"]:
+        for strategy in ["thrifty", "literal", "closure", "octree"]:
             for name in ["a.vtu", "a.msh", "a.mesh", "a.node"]:
                 with self.subTest(strategy=strategy, name=name):
                     report = self.mesh(*BALL, "--size", "0.5", "--strategy", strategy, output=name)
@@ -51,7 +51,7 @@ class Mesh(MeshTest):
                     self.assertIn(f'"tets": {report["mesh"]["tets"]},', check.stdout)
 
     def test_default_strategy_follows_the_size(self):
-        for size, strategy in [("0.5", "octree"), ("0.5 + 0.1 * x", "thrifty")]:
+        for size, strategy in [("0.5", "octree"), ("0.5 + 0.01 * x", "octree"), ("0.5 + 0.1 * x", "closure")]:
             report = self.mesh(*BALL, "--size", size)
             self.assertEqual((report["options"]["strategy"], report["stats"]["strategy"]), ("auto", strategy))
 

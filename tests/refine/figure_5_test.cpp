@@ -94,7 +94,7 @@ VerifyReport judge(const Job& job, const TetMesh& mesh, Strategy strategy) {
   options.inside = [&](const Vec3& p) { return job.domain->contains(p); };
   options.size_samples = std::getenv("UNSLIVER_LONG") != nullptr ? 1000000 : 20000;
   const GradingGuarantee grading = grading_guarantee(strategy);
-  options.lfs_lower_bound = lfs_lower_bound(*job.domain, *job.size, grading.c);
+  options.lfs_lower_bound = lfs_lower_bound(*job.domain, *job.size, grading);
   options.grading_constant = grading.share;
   options.must_cover = points_inside(*job.domain, 5000, 42);
   return verify(mesh, options);
@@ -148,11 +148,18 @@ TEST(Figure5, ClosureKeepsEveryGuaranteeToo) {
   }
 }
 
-TEST(Figure5, AutoTakesOctreesForConstantSizes) {
+TEST(Figure5, AutoChoosesByGradingAndLimits) {
   const DomainPtr ball = make_ball({0, 0, 0}, 1);
-  EXPECT_EQ(mesh_domain(*ball, *constant_size(0.2)).stats.strategy, Strategy::kOctree);
-  const SizingPtr graded = graded_from_points({{0, 0, 1}}, {0.1}, 0.2, 1);
-  EXPECT_EQ(mesh_domain(*ball, *graded).stats.strategy, Strategy::kThrifty);
+  const auto used = [&](const SizingPtr& size, const MeshOptions& options = {}) {
+    return mesh_domain(*ball, *size, options).stats.strategy;
+  };
+  const auto graded = [](double gradation) { return graded_from_points({{0, 0, 1}}, {0.1}, gradation, 1); };
+  EXPECT_EQ(used(constant_size(0.2)), Strategy::kOctree);
+  EXPECT_EQ(used(graded(0.04)), Strategy::kOctree);
+  EXPECT_EQ(used(graded(0.2)), Strategy::kClosure);
+  MeshOptions relaxed;
+  relaxed.min_dihedral_deg = 15;
+  EXPECT_EQ(used(graded(0.2), relaxed), Strategy::kThrifty);
 }
 
 TEST(Figure5, ThriftyNeedsFewerVerticesThanLiteral) {

@@ -193,7 +193,7 @@ void expect_verified(const Job& job, const TetMesh& mesh, const MeshOptions& ask
   options.inside = [&](const Vec3& p) { return job.domain->contains(p); };
   options.size_samples = 5000;
   const GradingGuarantee grading = grading_guarantee(asked.strategy, true);
-  const auto lfs_s = lfs_lower_bound(*job.domain, *job.size, grading.c);
+  const auto lfs_s = lfs_lower_bound(*job.domain, *job.size, grading);
   const Points inputs = distinct(job.inputs);
   options.lfs_lower_bound = [&, lfs_s](const Vec3& p) {
     return std::min(lfs_s(p), lfs_of_inputs(inputs, p));
