@@ -78,6 +78,15 @@ DomainSource from_ball(const std::string& text) {
   return {.kind = "ball", .label = "ball " + text, .domain = make_ball({n[0], n[1], n[2]}, n[3])};
 }
 
+DomainSource from_box(const std::string& text, bool conform) {
+  const Box3 box = parse_box(text, "--box");
+  DomainSource source{.kind = "box", .label = "box " + text, .domain = make_box(box)};
+  if (!conform) return source;
+  source.label += ", filled exactly";
+  source.exact_box = box;
+  return source;
+}
+
 DomainSource from_formula(const std::string& formula, const Box3& bounds) {
   const auto make = [&](const std::string& text) { return make_implicit(text, bounds); };
   return {.kind = "implicit", .label = formula + " <= 0", .domain = of_formula("--implicit", formula, make)};
@@ -131,9 +140,7 @@ DomainSource named_domain(const DomainRequest& request) {
   if (request.surface_file) return from_file(*request.surface_file);
   if (request.mesh_file) return from_tets(*request.mesh_file);
   if (request.ball) return from_ball(*request.ball);
-  if (request.box)
-    return {
-        .kind = "box", .label = "box " + *request.box, .domain = make_box(parse_box(*request.box, "--box"))};
+  if (request.box) return from_box(*request.box, request.conform);
   return from_formula(*request.implicit, parse_box(*request.bounds, "--bounds"));
 }
 
@@ -143,6 +150,16 @@ int count_named(const DomainRequest& r) {
   for (const auto* name : {&r.surface_file, &r.box, &r.ball, &r.implicit, &r.mesh_file})
     count += name->has_value();
   return count;
+}
+
+/// Only cubes can be stacked so that all tetrahedra are good and the outside is flat.
+void check_conform(const DomainRequest& request) {
+  if (request.conform && !request.box)
+    throw Error(ErrorCode::kBadOption, "--conform fills a box exactly: it needs --box \"x0 y0 z0 x1 y1 z1\"");
+  if (request.conform && request.points_file)
+    throw Error(
+        ErrorCode::kBadOption,
+        "--conform takes no --points: a box can be filled exactly with vertices of the lattice alone");
 }
 
 }  // namespace
@@ -159,6 +176,7 @@ void check_domain_request(const DomainRequest& request) {
     throw Error(ErrorCode::kBadOption, "--implicit needs --bounds \"x0 y0 z0 x1 y1 z1\": the box to look in");
   if (request.bounds && !request.implicit)
     throw Error(ErrorCode::kBadOption, "--bounds has no effect without --implicit");
+  check_conform(request);
 }
 
 std::vector<std::string> all_notes(const DomainSource& source) {

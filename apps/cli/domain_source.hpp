@@ -17,6 +17,7 @@ struct DomainRequest {
   std::optional<std::string> mesh_file;    ///< tetrahedra: their union, and their vertices as points
   std::optional<std::string> bounds;       ///< with implicit, and only there
   std::optional<std::string> points_file;  ///< alone: their bounding box is meshed
+  bool conform = false;                    ///< with box, and only there: fill it exactly
 
   bool has_inputs() const { return mesh_file || points_file; }
 };
@@ -27,6 +28,7 @@ struct DomainSource {
   DomainPtr domain = nullptr;
   std::optional<TriangleMesh> surface = std::nullopt;   ///< the boundary, where it is triangles
   std::optional<InputVertices> inputs = std::nullopt;   ///< what must be vertices of the mesh
+  std::optional<Box3> exact_box = std::nullopt;         ///< to be filled exactly
   std::optional<QualitySummary> before = std::nullopt;  ///< of the tetrahedra given
   std::vector<std::string> notes = {};                  ///< on how the domain was made of the input
 };

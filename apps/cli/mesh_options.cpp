@@ -13,6 +13,12 @@ namespace {
 void add_domain_options(CLI::App& parser, DomainRequest& domain) {
   parser.add_option("INPUT", domain.surface_file, "surface file: .stl .obj .off .ply");
   parser.add_option("--box", domain.box, "\"x0 y0 z0 x1 y1 z1\": mesh a box")->group("What to mesh (one)");
+  parser
+      .add_flag("--conform", domain.conform,
+                "with --box: fill it exactly, with flat faces, marked 1 to 6\n"
+                "(x low, x high, y low, ...). Its sides must be whole multiples\n"
+                "of one length m * 2^e, m < 128. Strategy octree, no points")
+      ->group("What to mesh (one)");
   parser.add_option("--ball", domain.ball, "\"cx cy cz r\": mesh a ball")->group("What to mesh (one)");
   parser.add_option("--implicit", domain.implicit, "formula f(x, y, z): mesh where f <= 0")
       ->group("What to mesh (one)");
@@ -152,6 +158,20 @@ double radius_edge_bound(const std::optional<double>& typed, bool with_inputs) {
                           with_inputs ? "1.368, beside points," : fmt::format("{} (sqrt(5)/2)", least)));
 }
 
+/// Boxes are filled exactly by octrees alone.
+void check_conforming_strategy(const MeshCommandOptions& options) {
+  if (!options.domain.conform) return;
+  if (options.keep_partial)
+    throw Error(ErrorCode::kBadOption,
+                "--keep-partial has no effect with --conform, which has no mesh until its end");
+  if (options.strategy != "auto" && options.strategy != "octree")
+    throw Error(
+        ErrorCode::kBadOption,
+        fmt::format("--strategy {} does not fill a box exactly, its tetrahedra reach beyond: --conform "
+                    "goes with octree",
+                    options.strategy));
+}
+
 /// An octree run that is ended early has no mesh to keep.
 Strategy strategy_of(const MeshCommandOptions& options) {
   Strategy strategy = Strategy::kAuto;
@@ -163,6 +183,7 @@ Strategy strategy_of(const MeshCommandOptions& options) {
   if ((strategy == Strategy::kOctree || strategy == Strategy::kClosure) && options.domain.has_inputs())
     throw Error(ErrorCode::kBadOption,
                 fmt::format("--strategy {} knows no points: use thrifty or literal", to_string(strategy)));
+  if (options.domain.conform) return Strategy::kOctree;
   return strategy == Strategy::kAuto && options.keep_partial ? Strategy::kThrifty : strategy;
 }
 
@@ -204,6 +225,7 @@ void check_mesh_options(MeshCommandOptions& options) {
   check_size_request(options.size);
   check_angles(options.mesh);
   options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge, options.domain.has_inputs());
+  check_conforming_strategy(options);
   options.mesh.strategy = strategy_of(options);
   options.mesh.threads = options.threads.value_or(0);
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");

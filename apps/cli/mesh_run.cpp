@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 
+#include "box_check.hpp"
 #include "files.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
@@ -147,8 +148,10 @@ void MeshRun::check_limits() {
 
 void MeshRun::generate() {
   with_inputs([this](std::span<const Vec3> points) {
-    result_ =
-        mesh_domain(*report_.source->domain, *report_.size->sizing, points, asked(), display_.control());
+    const DomainSource& source = *report_.source;
+    const Sizing& sizing = *report_.size->sizing;
+    result_ = source.exact_box ? mesh_box(*source.exact_box, sizing, asked(), display_.control())
+                               : mesh_domain(*source.domain, sizing, points, asked(), display_.control());
   });
   display_.clear();
   report_.stats = result_.stats;
@@ -215,6 +218,7 @@ void MeshRun::judge() {
   report_.verified = verify(result_.mesh, asked, display_.control());
   display_.clear();
   if (inputs()) check_inputs(result_.mesh, inputs()->set.points, *report_.verified);
+  if (report_.source->exact_box) check_box(result_.mesh, *report_.source->exact_box, *report_.verified);
   if (interrupts::requested()) {
     report_.verified.reset();
     settle("unverified", ExitCode::kLimit);

@@ -113,6 +113,19 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, const MeshOpt
 MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                        const MeshOptions& options = {}, const Control& control = {});
 
+/// A mesh that fills a box exactly: its faces are flat, and all its tetrahedra are inside. By kOctree, which
+/// is the only strategy that can.
+///
+/// Ensures (status kDone): what mesh_domain ensures, for every point of the box; the union of the tetrahedra
+/// is the box, bit for bit; mesh.triangles are the boundary's, outward, labelled 1 to 6: x low, x high, y
+/// low, y high, z low, z high. The sides leave the choice among few lattices: notes say how much finer than
+/// asked a mesh of constant size is. The sides must be whole multiples of one length m * 2^e, m < 128, the
+/// corners multiples of some m * 2^e. \throws Error kUnsupported for boxes that are not so, kLimit where it
+/// takes more than 2^20 cubes of one side to fill the box: both name a box near it that will do, in the
+/// message and as two places. And as mesh_domain does, kBadOption for other strategies among it.
+MeshResult mesh_box(const Box3& box, const Sizing& sizing, const MeshOptions& options = {},
+                    const Control& control = {});
+
 /// What kAuto stands for: thrifty beside input vertices; else octree where s varies slowly or not at all,
 /// thrifty where limits are relaxed, and closure.
 struct StrategyChoice {

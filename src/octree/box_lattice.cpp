@@ -156,8 +156,7 @@ std::string corners_text(const Box3& box) {
 }
 
 std::string remedy(const Box3& box, const std::optional<Box3>& near) {
-  if (!near)
-    return "No box near it will do: round its sides to few digits in binary, or move it nearer to the origin";
+  if (!near) return "No box near it will do: it is too thin, or too far from the origin";
   return fmt::format("One that will do, its sides off by at most {:.2g} %, is \"{}\"",
                      100 * deviation(*near, box), corners_text(*near));
 }

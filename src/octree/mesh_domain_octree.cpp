@@ -204,7 +204,8 @@ OctreeResult mesh_box_octree(const Box3& box, const Sizing& sizing, const Octree
   const DomainPtr domain = make_box(box);
   Run run(exactly(box, *domain, sizing), *domain, sizing, options, control);
   OctreeResult result = result_of(run);
-  if (sizing.lipschitz() == 0) result.stats.radius = run.radius_of_a_leaf();
+  if (sizing.lipschitz() == 0 && result.status == OctreeStatus::kDone)
+    result.stats.radius = run.radius_of_a_leaf();
   return result;
 }
 

@@ -100,14 +100,16 @@ unsigned thread_count(const MeshOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
-                          const Control& control) {
+octree::OctreeOptions octree_options(const MeshOptions& options) {
   refine::quality_bounds(options, false);  // refuses what no theorem backs
   octree::OctreeOptions limits;
   limits.max_tets = options.max_tets;
   limits.max_bytes = options.max_memory_bytes;
   limits.threads = thread_count(options);
-  octree::OctreeResult made = octree::mesh_domain_octree(domain, sizing, limits, control);
+  return limits;
+}
+
+MeshResult result_of(octree::OctreeResult&& made, const octree::OctreeOptions& limits) {
   MeshResult result;
   result.status = status_of(made.status);
   result.mesh = std::move(made.mesh);
@@ -118,6 +120,28 @@ MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const Mesh
   result.stats.threads = limits.threads;
   result.stats.domain_tests = made.stats.domain_tests;
   return result;
+}
+
+MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
+                          const Control& control) {
+  const octree::OctreeOptions limits = octree_options(options);
+  return result_of(octree::mesh_domain_octree(domain, sizing, limits, control), limits);
+}
+
+void state_limits(const MeshOptions& options, bool with_input_vertices, MeshResult& result) {
+  if (result.status != MeshStatus::kDone) return;
+  result.mesh.limits = QualityLimits{options.min_dihedral_deg, options.max_dihedral_deg,
+                                     refine::max_radius_edge(options, with_input_vertices)};
+}
+
+/// Nothing to say where the lattice is as asked (`radius` <= `asked`), or the size varies (`radius` 0).
+void note_lattice(double asked, double radius, MeshResult& result) {
+  constexpr double kWorthTelling = 1.01;
+  if (radius == 0 || asked < kWorthTelling * radius) return;
+  result.notes.push_back(fmt::format(
+      "the box's sides fix the lattice: its largest empty ball has radius {:.6g} where {:.6g} was "
+      "asked, so the mesh is {:.2f} times as fine",
+      radius, asked, asked / radius));
 }
 
 }  // namespace
@@ -141,9 +165,23 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
                              : mesh_by_refinement(domain, sizing, inputs, resolved, control);
   result.stats.strategy = choice.strategy;
   result.stats.strategy_reason = choice.reason;
-  if (result.status == MeshStatus::kDone)
-    result.mesh.limits = QualityLimits{options.min_dihedral_deg, options.max_dihedral_deg,
-                                       refine::max_radius_edge(options, !inputs.empty())};
+  state_limits(options, !inputs.empty(), result);
+  return result;
+}
+
+MeshResult mesh_box(const Box3& box, const Sizing& sizing, const MeshOptions& options,
+                    const Control& control) {
+  if (options.strategy != Strategy::kAuto && options.strategy != Strategy::kOctree)
+    throw Error(ErrorCode::kBadOption, fmt::format("the {} strategy cannot fill a box exactly: use octree",
+                                                   to_string(options.strategy)));
+  const octree::OctreeOptions limits = octree_options(options);
+  octree::OctreeResult made = octree::mesh_box_octree(box, sizing, limits, control);
+  const double radius = made.stats.radius;
+  MeshResult result = result_of(std::move(made), limits);
+  note_lattice(sizing.at(box.center()), radius, result);
+  result.stats.strategy = Strategy::kOctree;
+  result.stats.strategy_reason = "the box is to be filled exactly";
+  state_limits(options, false, result);
   return result;
 }
 

@@ -39,11 +39,15 @@ void for_each_tet_at_origin(const std::vector<Vec3>& points, const Visit& visit)
       }
 }
 
-/// Is the circumradius at most sqrt(num / den)? With t at the origin: |X|^2 den <= 4 det^2 num, X = sum of
-/// |e|^2 times the opposite cross product. Exact for small integers.
+/// The circumcentre, t at the origin, times 2 det (which is positive). Exact for small integers.
+Vec3 circumcenter_times_2_det(const Tet& t) {
+  return norm_sq(t[1]) * cross(t[2], t[3]) + norm_sq(t[2]) * cross(t[3], t[1]) +
+         norm_sq(t[3]) * cross(t[1], t[2]);
+}
+
+/// Is the circumradius at most sqrt(num / den)? With t at the origin. Exact for small integers.
 bool radius_at_most(const Tet& t, double num, double den) {
-  const Vec3 x = norm_sq(t[1]) * cross(t[2], t[3]) + norm_sq(t[2]) * cross(t[3], t[1]) +
-                 norm_sq(t[3]) * cross(t[1], t[2]);
+  const Vec3 x = circumcenter_times_2_det(t);
   const double det = dot(t[1], cross(t[2], t[3]));
   return norm_sq(x) * den <= 4 * det * det * num;
 }
@@ -88,6 +92,26 @@ TEST(Theorem, TetrahedraAtACentreWithItsCornersOutsideAreGood) {
   EXPECT_EQ(found, 48);
 }
 
+// Bricks, see docs/CLOSURE.md: the finest vertex is the origin, the middle of an edge along x in the brick's
+// upper face y = 0, and the circumcentre is beyond this face. The parents in the brick, and those corners of
+// the cubes at the edge that are parents of theirs, are outside.
+TEST(Theorem, TetrahedraAtABricksFaceWithCircumcentreBeyondAreGood) {
+  const auto points = points_around_origin(3, [](int, int y, int) { return y <= 0; });
+  const std::vector<Vec3> outside = {{1, 0, 0}, {-1, 0, 0}, {0, -1, 1}, {0, -1, -1},
+                                     {1, 0, 2}, {-1, 0, 2}, {1, 0, -2}, {-1, 0, -2}};
+  int found = 0;
+  for_each_tet_at_origin(points, [&](const Tet& t) {
+    for (const Vec3& p : outside)
+      if (exact::insphere(t[0], t[1], t[2], t[3], p, counts) > 0) return;
+    if (circumcenter_times_2_det(t).y <= 0) return;
+    ++found;
+    EXPECT_FALSE(exact::is_bad(t, {}, counts));
+    EXPECT_TRUE(angles_within(t, {1, 1, 2}, {0, 1, 1}));  // 45 and 90 degrees
+    EXPECT_LE(exact::compare_radius_edge(t, {13, 16}, counts), 0);
+  });
+  EXPECT_EQ(found, 6);
+}
+
 /// Random points in a block of SC_K, finer at random places, and what closes the set.
 std::vector<Vec3> random_closed_set(std::uint64_t seed, int coarsest) {
   std::mt19937_64 random(seed);
@@ -123,6 +147,28 @@ TEST(Theorem, HoldsForRandomClosedSets) {
     }
   }
   EXPECT_GT(tets, 60u * 6 * 6 * 6 * 5);
+}
+
+/// Closed sets cut off at the faces of a brick, near which the random places are.
+TEST(Theorem, HoldsForClosedSetsInBricks) {
+  std::size_t tets = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const int coarsest = 2 + int(seed % 5);
+    const double cell = std::ldexp(1.0, coarsest);
+    std::vector<Vec3> points = random_closed_set(seed, coarsest);
+    const double x = 3 * cell, y = (seed / 5 % 2 == 0 ? 3 : 7) * cell,
+                 z = (seed / 10 % 2 == 0 ? 3 : 7) * cell;
+    std::erase_if(points, [&](const Vec3& p) { return p.x > x || p.y > y || p.z > z; });
+    delaunay::Triangulation dt;
+    dt.insert_all(points);
+    for (delaunay::TetId t = 0; t < dt.slot_count(); ++t) {
+      if (!dt.is_finite(t)) continue;
+      EXPECT_FALSE(exact::is_bad(dt.corners(t), {}, counts));
+      ++tets;
+    }
+  }
+  EXPECT_GT(tets, 120u * 3 * 3 * 3 * 5);
 }
 
 /// It is the parents that matter: the same sets without one vertex that others need have bad tetrahedra.
