@@ -9,7 +9,8 @@ namespace unsliver::cli {
 namespace {
 
 constexpr const char* kFooter = R"text(Strategies, all with the same limits on angles and size:
-  octree   by far the fastest; few vertices where the size varies slowly. Without points
+  octree   by far the fastest; few vertices where the size varies slowly. Points must lie in the
+           domain's box; then most of the mesh is still made that fast
   closure  fewest vertices where the size varies. Without points
   thrifty  fewest vertices beside points, or where the limits are relaxed
   literal  the paper's figures to the letter: up to 4 times the vertices

@@ -22,7 +22,7 @@ enum class Strategy {
   kLiteral,  ///< the figure to the letter: SC for size, first point found, first in first out
   kThrifty,  ///< same guarantees, fewer vertices: both lattices, fitted unit, chosen candidates
   kOctree,   ///< closure under parents in place of Figure 5: no angle test, by far the fastest, but where s
-             ///< varies its vertices are more. No input vertices
+             ///< varies its vertices are more. Input vertices must lie in the domain's box
   kClosure,  ///< size enforcement and closure under parents with the kernel: no angle test. No input vertices
 };
 const char* to_string(Strategy strategy);

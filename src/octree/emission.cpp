@@ -177,7 +177,8 @@ void Emission::choose() {
   }
 }
 
-void Emission::number() {
+void Emission::number(VertexId first) {
+  vertex_count_ = first;
   run_tasks([&](Task& task, unsigned) {
     for_each_cell(forest_, task.cell,
                   [&](const Cell& cell) { task.vertices += kOnes[forest_[cell.node].used]; });
@@ -198,12 +199,12 @@ void Emission::number() {
   });
 }
 
-void Emission::write_points(const std::function<void(VertexId, const Vec3&)>& place) {
+void Emission::write_points(const std::function<void(VertexId, const Vec3&, const Cell&)>& place) {
   run_tasks([&](Task& task, unsigned) {
     auto next = VertexId(task.first_vertex);
     for_each_cell(forest_, task.cell, [&](const Cell& cell) {
       for (unsigned used = forest_[cell.node].used; used != 0; used &= used - 1)
-        place(next++, own_point(cell, std::countr_zero(used)));
+        place(next++, own_point(cell, std::countr_zero(used)), cell);
     });
   });
 }

@@ -32,16 +32,17 @@ class Emission {
   /// --- In this order:
   /// Chooses the tetrahedra, and marks the vertices that they use.
   void choose();
-  /// Numbers the vertices in use: in order of their owners, depth first. \throws Error kLimit at 2^31.
-  void number();
-  /// Calls place(number, world point) for each vertex, from all threads.
-  void write_points(const std::function<void(VertexId, const Vec3&)>& place);
+  /// Numbers the vertices in use from `first` on: in order of their owners, depth first. \throws Error kLimit
+  /// at 2^31.
+  void number(VertexId first = 0);
+  /// Calls place(number, world point, its owner) for each vertex, from all threads.
+  void write_points(const std::function<void(VertexId, const Vec3&, const Cell&)>& place);
   /// Writes tet_count() tetrahedra, positively oriented.
   void write_tets(std::array<VertexId, 4>* out);
 
   std::uint64_t tet_count() const { return tet_count_; }
-  std::uint64_t vertex_count() const { return vertex_count_; }
-  std::uint64_t leaf_count() const { return leaf_count_; }  ///< that own tetrahedra that may be kept
+  std::uint64_t vertex_count() const { return vertex_count_; }  ///< `first` included
+  std::uint64_t leaf_count() const { return leaf_count_; }      ///< that own tetrahedra that may be kept
   std::uint64_t tested_tets() const { return tested_tets_; }
   std::size_t template_count() const { return templates_.size(); }
   std::size_t bytes() const;

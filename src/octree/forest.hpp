@@ -25,6 +25,7 @@ enum NodeFlag : std::uint8_t {
   kOutside = 4,    ///< all of them lie outside
   kDeep = 8,       ///< the node's face neighbours are inside, too
   kUniform = 16,   ///< of split nodes: all children are leaves with kHasCenter and kInside
+  kRemote = 32,    ///< no guest is within kDeepReach sides of the centre
 };
 
 struct Node {

@@ -16,6 +16,9 @@
 /// side is at most 2h, its centre at most 1.67 h away. It needs less: (A) s(p) >= the distance from p to the
 /// vertices of C, for p in C.
 ///
+/// Beside guests (octree/guest.hpp), who may leave vertices out, a leaf counts as deep only if no guest is
+/// within 3.67 h of its centre either (kRemote).
+///
 /// Where the domain is the forest's brick itself, all tetrahedra are kept: all nodes are kWholeInside.
 #pragma once
 
@@ -23,6 +26,7 @@
 #include <limits>
 #include <vector>
 
+#include "geom/point_tree.hpp"
 #include "lattice/world.hpp"
 #include "octree/forest.hpp"
 #include "unsliver/domain.hpp"
@@ -50,8 +54,9 @@ class LeafTest {
   /// The guarantee is enforced for this share of s, so that no rounding can break it for s.
   static constexpr double kSizeShare = 1 - 1e-6;
 
-  /// The arguments must outlive the test.
-  LeafTest(const Domain& domain, const Sizing& sizing, const lattice::World& world);
+  /// The arguments must outlive the test. `guests`: their places (world), or nullptr.
+  LeafTest(const Domain& domain, const Sizing& sizing, const lattice::World& world,
+           const geom::PointTree* guests = nullptr);
 
   /// Flags of a node, given its parent's (0 for roots).
   std::uint8_t flags(const Cell& cell, std::uint8_t parent_flags);
@@ -75,10 +80,12 @@ class LeafTest {
   double size_at(const Vec3& x);
   double size_over(const Box3& box);
   int side_of_ball(const Vec3& x, double radius);
+  std::uint8_t remoteness(const Cell& cell, std::uint8_t parent_flags) const;
 
   const Domain& domain_;
   const Sizing& sizing_;
   const lattice::World& world_;
+  const geom::PointTree* guests_;
   Box3 bounds_;
   double unit_, lipschitz_, least_;
   double plain_share_, hole_share_;

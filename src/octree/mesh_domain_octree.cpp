@@ -7,6 +7,7 @@
 #include "octree/emission.hpp"
 #include "octree/fit.hpp"
 #include "octree/growth.hpp"
+#include "octree/guest.hpp"
 #include "octree/octree.hpp"
 #include "unsliver/error.hpp"
 
@@ -23,7 +24,8 @@ struct Stopped {
 /// Where to grow what.
 struct Ground {
   BoxLattice lattice;
-  std::uint8_t root_flags;
+  std::uint8_t root_flags = 0;
+  const geom::PointTree* guests = nullptr;
 
   bool is_domain() const { return root_flags == kWholeInside; }
 };
@@ -40,12 +42,13 @@ Ground exactly(const Box3& box, const Domain& domain, const Sizing& sizing) {
 class Run {
  public:
   Run(const Ground& ground, const Domain& domain, const Sizing& sizing, const OctreeOptions& options,
-      const Control& control)
+      const Control& control, Guest* guest = nullptr)
       : ground_(ground),
         domain_(domain),
         options_(options),
         control_(control),
-        test_(domain, sizing, ground_.lattice.world),
+        guest_(guest),
+        test_(domain, sizing, ground_.lattice.world, ground.guests),
         forest_(ground.lattice.brick) {}
 
   void run() {
@@ -55,14 +58,17 @@ class Run {
                     [this](std::uint64_t bytes) { poll(bytes); }});
     enter("balance");
     stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
+    if (guest_ != nullptr) {
+      enter("points");
+      guest_->on_forest(forest_);
+    }
     enter("choose");
-    emission_.emplace(forest_,
-                      Emission::Settings{options_.threads, [this](const Tet& t) { return meets_domain(t); },
-                                         [this] { poll(forest_.bytes()); }});
+    emission_.emplace(forest_, Emission::Settings{options_.threads, [this](const Tet& t) { return keeps(t); },
+                                                  [this] { poll(forest_.bytes()); }});
     emission_->choose();
     check_caps();
     enter("number");
-    emission_->number();
+    emission_->number(guest_ != nullptr ? guest_->vertex_count() : 0);
     enter("emit");
     write();
     if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_);
@@ -109,7 +115,8 @@ class Run {
     }
   }
 
-  bool meets_domain(const Tet& world_tet) const {
+  bool keeps(const Tet& world_tet) const {
+    if (guest_ != nullptr && !guest_->keeps(world_tet)) return false;
     Tet t;
     for (std::size_t i = 0; i < 4; ++i) t[i] = world().to_caller(world_tet[i]);
     return domain_.meets(t);
@@ -126,12 +133,14 @@ class Run {
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
     mesh_.points.resize(vertices);
     mesh_.levels.resize(vertices);
-    emission_->write_points([this](VertexId v, const Vec3& p) {
+    emission_->write_points([this](VertexId v, const Vec3& p, const Cell& owner) {
       mesh_.points[v] = world().to_caller(p);
-      mesh_.levels[v] = std::uint8_t(lattice::canonical_level(p));
+      mesh_.levels[v] = guest_ != nullptr ? guest_->on_vertex(v, p, owner, forest_[owner.node])
+                                          : std::uint8_t(lattice::canonical_level(p));
     });
     mesh_.tets.resize(tets);
     emission_->write_tets(mesh_.tets.data());
+    if (guest_ != nullptr) guest_->complete(mesh_);
   }
 
   void require_bytes(std::uint64_t bytes) {
@@ -161,6 +170,7 @@ class Run {
   const Domain& domain_;
   const OctreeOptions& options_;
   const Control& control_;
+  Guest* const guest_;
   LeafTest test_;
   Forest forest_;
   LeafTestCounts growth_;
@@ -195,6 +205,15 @@ OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, cons
                                 const Control& control) {
   require_thread(options);
   Run run(around(domain, sizing), domain, sizing, options, control);
+  return result_of(run);
+}
+
+OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const lattice::World& world,
+                                const OctreeOptions& options, const Control& control,
+                                const GuestList& guests) {
+  require_thread(options);
+  const Ground ground{{world, brick_around(in_world(domain.bounds(), world))}, 0, &guests.places};
+  Run run(ground, domain, sizing, options, control, &guests.guest);
   return result_of(run);
 }
 

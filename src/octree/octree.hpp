@@ -10,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "geom/point_tree.hpp"
+#include "lattice/world.hpp"
+#include "octree/guest.hpp"
 #include "unsliver/domain.hpp"
 #include "unsliver/mesh.hpp"
 #include "unsliver/progress.hpp"
@@ -59,6 +62,17 @@ struct OctreeResult {
 /// nodes or vertices).
 OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options = {},
                                 const Control& control = {});
+
+/// Where vertices of others are (world), and who speaks for them.
+struct GuestList {
+  const geom::PointTree& places;
+  Guest& guest;
+};
+
+/// The same in a given world and with a guest, who answers for the tetrahedra with vertices of his.
+OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const lattice::World& world,
+                                const OctreeOptions& options, const Control& control,
+                                const GuestList& guests);
 
 /// A mesh that fills a box exactly, its vertices those of a forest whose brick is the box.
 ///

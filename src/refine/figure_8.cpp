@@ -136,16 +136,16 @@ void enforce_quality_literally(Refinement& r, TetId t) {
   bad.v == kNoVertex ? case_3(r, bad) : case_1(r, bad);
 }
 
+}  // namespace
+
 /// The certificate is all that termination needs, so the levels go down as far as the world's.
-void enforce_quality_thriftily(Refinement& r, TetId t) {
+void enforce_quality(Refinement& r, TetId t) {
   const auto c = coarsest_in_circumsphere(r, t, r.world().finest_level());
   if (!c) return enforce_quality_literally(r, t);
   r.insert_in_conflict(c->w, c->label, c->lfs_bound, t);
   ++r.stats().candidates;
   ++r.stats().quality_insertions;
 }
-
-}  // namespace
 
 void figure_8_literal(Refinement& r) {
   first_in_first_out(r, [&r](TetId t) { enforce_quality_literally(r, t); });
@@ -163,7 +163,7 @@ void figure_8_thrifty(Refinement& r) {
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) push_if_bad(t);
   while (const auto next = queue.pop()) {
     if (!still_there(r, *next) || !r.meets_domain(next->slot)) continue;
-    enforce_quality_thriftily(r, next->slot);
+    enforce_quality(r, next->slot);
     for (const TetId made : r.created()) push_if_bad(made);
   }
 }

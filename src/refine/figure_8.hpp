@@ -14,4 +14,7 @@ void figure_8_literal(Refinement& refinement);
 /// certified.
 void figure_8_thrifty(Refinement& refinement);
 
+/// One thrifty step for a bad tetrahedron: a certified candidate, or the figure's own case.
+void enforce_quality(Refinement& refinement, TetId bad);
+
 }  // namespace unsliver::refine

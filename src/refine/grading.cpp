@@ -23,7 +23,7 @@ double size_or_zero(const Sizing& sizing, const Vec3& p) {
 
 GradingGuarantee grading_guarantee(Strategy strategy, bool with_input_vertices) {
   const bool literal = strategy == Strategy::kLiteral;
-  if (strategy == Strategy::kOctree) return {};
+  if (strategy == Strategy::kOctree) return {with_input_vertices ? refine::kFigure8ThriftyC : 0, 1, 0};
   if (strategy == Strategy::kClosure)
     return {refine::kClosureC, refine::kClosureLargestSize, refine::kClosureGrading};
   if (with_input_vertices)

@@ -9,6 +9,7 @@
 #include "refine/extract.hpp"
 #include "refine/figure_5.hpp"
 #include "refine/figure_8.hpp"
+#include "refine/figure_8_octree.hpp"
 #include "refine/refinement.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/refine.hpp"
@@ -101,7 +102,6 @@ unsigned thread_count(const MeshOptions& options) {
 }
 
 octree::OctreeOptions octree_options(const MeshOptions& options) {
-  refine::quality_bounds(options, false);  // refuses what no theorem backs
   octree::OctreeOptions limits;
   limits.max_tets = options.max_tets;
   limits.max_bytes = options.max_memory_bytes;
@@ -124,8 +124,42 @@ MeshResult result_of(octree::OctreeResult&& made, const octree::OctreeOptions& l
 
 MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
                           const Control& control) {
+  refine::quality_bounds(options, false);  // refuses what no theorem backs
   const octree::OctreeOptions limits = octree_options(options);
   return result_of(octree::mesh_domain_octree(domain, sizing, limits, control), limits);
+}
+
+/// Beyond the domain's box there may be no vertices of the forest to build upon.
+void require_inputs_in_box(const Domain& domain, std::span<const Vec3> inputs) {
+  const Box3 box = domain.bounds();
+  const auto outside =
+      std::find_if_not(inputs.begin(), inputs.end(), [&](const Vec3& p) { return box.contains(p); });
+  if (outside == inputs.end()) return;
+  throw Error(
+      ErrorCode::kBadOption,
+      fmt::format("input vertex {} at ({}, {}, {}) lies outside the domain's box: the octree strategy "
+                  "needs it inside, use thrifty",
+                  outside - inputs.begin(), outside->x, outside->y, outside->z));
+}
+
+MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                          const MeshOptions& options, const Control& control) {
+  require_inputs_in_box(domain, inputs);
+  const octree::OctreeOptions limits = octree_options(options);
+  refine::Refinement refinement(domain, sizing, inputs, options, control);
+  MeshResult result;
+  try {
+    result = result_of(refine::figure_8_on_octree(refinement, domain, sizing, limits, control), limits);
+  } catch (const refine::Stopped& stopped) {
+    result.status = stopped.status;
+  }
+  result.notes = notes_on_inputs(refinement);
+  const MeshStats& stats = refinement.stats();
+  result.stats.size_insertions = stats.size_insertions;
+  result.stats.quality_insertions = stats.quality_insertions;
+  result.stats.figure_8 = stats.figure_8;
+  result.stats.candidates = stats.candidates;
+  return result;
 }
 
 void state_limits(const MeshOptions& options, bool with_input_vertices, MeshResult& result) {
@@ -156,13 +190,13 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
   MeshOptions resolved = options;
   const StrategyChoice choice = choose_strategy(options, sizing, !inputs.empty());
   resolved.strategy = choice.strategy;
-  const bool octree = resolved.strategy == Strategy::kOctree;
-  if ((octree || resolved.strategy == Strategy::kClosure) && !inputs.empty())
+  if (resolved.strategy == Strategy::kClosure && !inputs.empty())
     throw Error(ErrorCode::kBadOption,
-                fmt::format("the {} strategy knows no input vertices: use thrifty or literal",
-                            to_string(resolved.strategy)));
-  MeshResult result = octree ? mesh_by_octree(domain, sizing, resolved, control)
-                             : mesh_by_refinement(domain, sizing, inputs, resolved, control);
+                "the closure strategy knows no input vertices: use thrifty or literal");
+  const bool octree = resolved.strategy == Strategy::kOctree;
+  MeshResult result = !octree          ? mesh_by_refinement(domain, sizing, inputs, resolved, control)
+                      : inputs.empty() ? mesh_by_octree(domain, sizing, resolved, control)
+                                       : mesh_by_octree(domain, sizing, inputs, resolved, control);
   result.stats.strategy = choice.strategy;
   result.stats.strategy_reason = choice.reason;
   state_limits(options, !inputs.empty(), result);
@@ -174,6 +208,7 @@ MeshResult mesh_box(const Box3& box, const Sizing& sizing, const MeshOptions& op
   if (options.strategy != Strategy::kAuto && options.strategy != Strategy::kOctree)
     throw Error(ErrorCode::kBadOption, fmt::format("the {} strategy cannot fill a box exactly: use octree",
                                                    to_string(options.strategy)));
+  refine::quality_bounds(options, false);  // refuses what no theorem backs
   const octree::OctreeOptions limits = octree_options(options);
   octree::OctreeResult made = octree::mesh_box_octree(box, sizing, limits, control);
   const double radius = made.stats.radius;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include "octree/fit.hpp"
 #include "refine/criteria.hpp"
 #include "refine/guarantees.hpp"
 #include "unsliver/error.hpp"
@@ -33,6 +34,7 @@ float rounded_towards_zero(double x) { return x < 0 ? -rounded_down(-x) : rounde
 
 double fit_radius(const Domain& domain, const Sizing& sizing, Strategy strategy) {
   if (strategy == Strategy::kLiteral) return 0;
+  if (strategy == Strategy::kOctree) return octree::fit_radius(domain, sizing);
   const double s = sizing.lower_bound(domain.bounds());
   const bool known = std::isfinite(s) && s > kUnknownSize * domain.bounds().diagonal();
   return known ? (1 - kSizeSlack) * s : 0;

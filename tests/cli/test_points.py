@@ -209,8 +209,7 @@ class Hostile(PointsTest):
     def test_stricter_than_proven(self):
         self.refuse_points(rows(scattered(5, seed=1)), "--max-radius-edge", "1.368",
                            arguments=["--max-radius-edge", "1.2"])
-        for strategy in ["octree", "closure"]:
-            self.refuse_points(rows(scattered(5, seed=1)), strategy, arguments=["--strategy", strategy])
+        self.refuse_points(rows(scattered(5, seed=1)), "closure", arguments=["--strategy", "closure"])
 
     def test_output_over_the_points(self):
         self.write("points.node", "1 3 0 0\n0 0 0 0\n")

@@ -252,11 +252,56 @@ TEST(Figure8, LiteralKeepsEveryGuarantee) {
   for (const Job& job : jobs()) expect_all(job, options);
 }
 
+TEST(Figure8, OnOctreesKeepsEveryGuarantee) {
+  MeshOptions options;
+  options.strategy = Strategy::kOctree;
+  for (const Job& job : jobs()) {
+    if (job.name == "outside the domain")
+      EXPECT_THROW(mesh(job, options), Error);
+    else
+      expect_all(job, options);
+  }
+}
+
+TEST(Figure8, ACapEndsARunOnOctreesToo) {
+  Job job{"", random_points(300, 1)};
+  job.size = constant_size(0.1);
+  MeshOptions options;
+  options.strategy = Strategy::kOctree;
+  options.max_tets = 5000;
+  EXPECT_EQ(mesh(job, options).status, MeshStatus::kTetCap);
+}
+
+/// Points among the vertices of the forest and on them, sizes constant and graded, any number of threads.
+TEST(Figure8, OnOctreesAmongManySmallTetrahedra) {
+  const int seeds = std::getenv("UNSLIVER_LONG") != nullptr ? 50 : 4;
+  for (int seed = 1; seed <= seeds; ++seed)
+    for (const double gradation : {0.0, 0.1, 0.6}) {
+      SCOPED_TRACE(std::to_string(seed) + ", gradation " + std::to_string(gradation));
+      Job job{"random", random_points(40, static_cast<std::uint64_t>(seed))};
+      job.size = gradation == 0 ? constant_size(0.06)
+                                : graded_from_points({{0.5, 0.4, 0.3}}, {0.04}, gradation, 0.3);
+      MeshOptions options;
+      options.strategy = Strategy::kOctree;
+      const TetMesh bulk = mesh_domain(*job.domain, *job.size, options).mesh;
+      for (std::size_t v = 0; v < bulk.points.size(); v += 1 + bulk.points.size() / 20)
+        if (job.domain->contains(bulk.points[v])) job.inputs.push_back(bulk.points[v]);
+      expect_all(job, options);
+      options.threads = 1;
+      const TetMesh one = mesh(job, options).mesh;
+      options.threads = 3;
+      const TetMesh three = mesh(job, options).mesh;
+      EXPECT_EQ(one.points, three.points);
+      EXPECT_EQ(one.tets, three.tets);
+      EXPECT_EQ(one.levels, three.levels);
+    }
+}
+
 TEST(Figure8, RandomPointsManySeeds) {
   const int seeds = std::getenv("UNSLIVER_LONG") != nullptr ? 100 : 10;
   for (int seed = 1; seed <= seeds; ++seed)
     for (const std::size_t count : {1, 2, 3, 7, 30})
-      for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty}) {
+      for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty, Strategy::kOctree}) {
         MeshOptions options;
         options.strategy = strategy;
         expect_all({"seed " + std::to_string(seed) + ", " + std::to_string(count) + " points",
