@@ -11,6 +11,7 @@
 #include "text.hpp"
 #include "union_of_tets.hpp"
 #include "unsliver/error.hpp"
+#include "unsliver/hull.hpp"
 #include "unsliver/io.hpp"
 
 namespace unsliver::cli {
@@ -98,6 +99,22 @@ DomainSource from_points(const InputVertices& inputs) {
   return source;
 }
 
+TriangleMesh hull_of(const InputVertices& inputs) {
+  try {
+    return convex_hull(inputs.set.points);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kUnsupported) throw;
+    throw Error(error.code(), fmt::format("{}: {}; without --hull their bounding box is meshed", inputs.file,
+                                          error.what()));
+  }
+}
+
+DomainSource from_hull(const InputVertices& inputs) {
+  DomainSource source{.kind = "hull", .label = "convex hull of " + inputs.file, .surface = hull_of(inputs)};
+  source.domain = make_surface(*source.surface);
+  return source;
+}
+
 std::set<std::int32_t> regions_of(const TetMesh& mesh) { return {mesh.regions.begin(), mesh.regions.end()}; }
 
 /// What a mesh has and its refinement does not keep, or what is odd about it.
@@ -152,6 +169,20 @@ int count_named(const DomainRequest& r) {
   return count;
 }
 
+DomainSource domain_around(const InputVertices& inputs, const DomainRequest& request) {
+  if (count_named(request) > 0) return named_domain(request);
+  return request.hull ? from_hull(inputs) : from_points(inputs);
+}
+
+void check_hull(const DomainRequest& request) {
+  if (!request.hull) return;
+  if (!request.points_file)
+    throw Error(ErrorCode::kBadOption, "--hull meshes the convex hull of points: it needs --points FILE");
+  if (count_named(request) > 0)
+    throw Error(ErrorCode::kBadOption,
+                "--hull says what to mesh, the convex hull of the points: leave it out, or the other domain");
+}
+
 /// Only cubes can be stacked so that all tetrahedra are good and the outside is flat.
 void check_conform(const DomainRequest& request) {
   if (request.conform && !request.box)
@@ -165,6 +196,7 @@ void check_conform(const DomainRequest& request) {
 }  // namespace
 
 void check_domain_request(const DomainRequest& request) {
+  check_hull(request);
   const int count = count_named(request);
   if (count == 0 && !request.points_file)
     throw Error(ErrorCode::kBadOption,
@@ -189,7 +221,7 @@ std::vector<std::string> all_notes(const DomainSource& source) {
 DomainSource make_domain(const DomainRequest& request) {
   if (!request.points_file) return named_domain(request);
   InputVertices inputs = read_input_vertices(*request.points_file);
-  DomainSource source = count_named(request) == 0 ? from_points(inputs) : named_domain(request);
+  DomainSource source = domain_around(inputs, request);
   source.inputs = std::move(inputs);
   return source;
 }

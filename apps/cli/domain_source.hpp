@@ -17,13 +17,14 @@ struct DomainRequest {
   std::optional<std::string> mesh_file;    ///< tetrahedra: their union, and their vertices as points
   std::optional<std::string> bounds;       ///< with implicit, and only there
   std::optional<std::string> points_file;  ///< alone: their bounding box is meshed
+  bool hull = false;                       ///< with points alone: not the box, the convex hull
   bool conform = false;                    ///< with box, and only there: fill it exactly
 
   bool has_inputs() const { return mesh_file || points_file; }
 };
 
 struct DomainSource {
-  std::string kind;   ///< "surface", "box", "ball", "implicit", "points" or "tetrahedra"
+  std::string kind;   ///< "surface", "box", "ball", "implicit", "points", "hull" or "tetrahedra"
   std::string label;  ///< what the report calls the input: a file, "box 0 0 0 1 1 1", ...
   DomainPtr domain = nullptr;
   std::optional<TriangleMesh> surface = std::nullopt;   ///< the boundary, where it is triangles

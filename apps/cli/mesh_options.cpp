@@ -32,6 +32,9 @@ void add_domain_options(CLI::App& parser, DomainRequest& domain) {
                   "at each point: radii of .pqr, or in .csv a column size, radius\n"
                   "or s, or the 4th where no header names them; .xyz has none")
       ->group("What to mesh (one)");
+  parser
+      .add_flag("--hull", domain.hull, "with --points alone: mesh their convex hull, not the box around it")
+      ->group("What to mesh (one)");
 }
 
 void add_size_options(CLI::App& parser, SizeRequest& size) {
