@@ -183,10 +183,8 @@ Strategy strategy_of(const MeshCommandOptions& options) {
   if (strategy == Strategy::kOctree && options.keep_partial)
     throw Error(ErrorCode::kBadOption,
                 "--keep-partial has no effect with --strategy octree, which has no mesh until its end");
-  if ((strategy == Strategy::kOctree || strategy == Strategy::kClosure) && options.domain.has_inputs())
-    throw Error(ErrorCode::kBadOption,
-                fmt::format("--strategy {} knows no points: use thrifty or literal", to_string(strategy)));
-  if (options.domain.conform) return Strategy::kOctree;
+  if (strategy == Strategy::kClosure && options.domain.has_inputs())
+    throw Error(ErrorCode::kBadOption, "--strategy closure knows no points: use thrifty, octree or literal");
   return strategy == Strategy::kAuto && options.keep_partial ? Strategy::kThrifty : strategy;
 }
 
