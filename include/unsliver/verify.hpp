@@ -33,7 +33,7 @@ struct VerifyOptions {
       true;  ///< every facet in 1 or 2 tetrahedra, boundary edge-manifoldness reported, no duplicates
 
   /// Size bound: for random points p with inside(p), a vertex lies within size(p) (1 + 1e-12). Needs all
-  /// three.
+  /// three. Where the domain has so little volume that none is met, the points of must_cover serve.
   std::function<double(const Vec3&)> size;
   std::function<bool(const Vec3&)> inside;
   std::size_t size_samples = 100000;

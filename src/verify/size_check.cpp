@@ -60,6 +60,9 @@ class SizeCheck {
          ++tries) {
       try_point(sampler.in_mesh());
     }
+    // Random points miss a domain of nearly no volume; the caller may know some of it.
+    if (done_ == 0)
+      for (const Vec3& p : c_.options.must_cover) try_point(p);
     if (done_ == 0 && c_.options.size_samples > 0) {
       c_.reporter.find("size", {},
                        [] { return std::string("no sample lies in the domain: nothing was tested"); });

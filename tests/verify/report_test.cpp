@@ -100,6 +100,19 @@ TEST(Report, GlobalDelaunayNeedsNoSharedFacet) {
   EXPECT_GT(findings(verify(mesh, o))["delaunay"], 0);
 }
 
+TEST(Report, TheSizeOfADomainThatRandomPointsMissIsTestedAtItsSamples) {
+  const TetMesh mesh = kuhn_mesh({.cells = {3, 3, 3}});
+  VerifyOptions o;
+  o.inside = [](const Vec3& p) { return std::abs(p.z - 4) < 1e-9; };
+  o.size = [](const Vec3&) { return 8.0; };
+  o.size_samples = 1000;
+  EXPECT_EQ(findings(verify(mesh, o))["size"], 1) << "nothing was tested";
+  o.must_cover = {{1, 2, 4}, {20, 11, 4}};
+  EXPECT_TRUE(verify(mesh, o).ok) << text(verify(mesh, o));
+  o.size = [](const Vec3&) { return 1.0; };
+  EXPECT_EQ(findings(verify(mesh, o))["size"], 2);
+}
+
 TEST(Report, CoverIsClosed) {
   const TetMesh mesh = kuhn_mesh({.cells = {3, 3, 3}});
   VerifyOptions o;
