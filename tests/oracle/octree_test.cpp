@@ -82,7 +82,9 @@ lattice::World world_of(const Job& job) {
 Forest forest_of(const Job& job, const lattice::World& world, bool all_centers) {
   LeafTest test(*job.domain, *job.size, world);
   Forest forest(brick_around(in_world(job.domain->bounds(), world)));
-  grow(forest, test, {1, all_centers, [](std::uint64_t) {}});
+  GrowthSettings settings;
+  settings.all_centers = all_centers;
+  grow(forest, test, settings);
   const std::uint8_t center = all_centers ? kHasCenter : 0;
   balance(forest, [&](const Cell& cell) {
     for (int i = 0; i < 8; ++i) {
