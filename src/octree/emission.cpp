@@ -6,12 +6,15 @@
 
 #include "lattice/level.hpp"
 #include "octree/parallel.hpp"
+#include "octree/vertex_chunk.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::octree {
 namespace {
 
 constexpr std::size_t kTasksPerThread = 64;
+/// Of a leaf, or of a uniform node: n points have fewer than n^2 / 2 Delaunay tetrahedra.
+constexpr std::size_t kMostTetsAtOnce = kSlotCount * kSlotCount / 2;
 
 /// Corner of a leaf that an own vertex number above 0 stands for.
 Vec3 own_point(const Cell& cell, int own) {
@@ -199,12 +202,12 @@ void Emission::number(VertexId first) {
   });
 }
 
-void Emission::write_points(const std::function<void(VertexId, const Vec3&, const Cell&)>& place) {
-  run_tasks([&](Task& task, unsigned) {
+void Emission::write_points(const std::function<void(VertexId, const Vec3&, const Cell&, unsigned)>& place) {
+  run_tasks([&](Task& task, unsigned worker) {
     auto next = VertexId(task.first_vertex);
     for_each_cell(forest_, task.cell, [&](const Cell& cell) {
       for (unsigned used = forest_[cell.node].used; used != 0; used &= used - 1)
-        place(next++, own_point(cell, std::countr_zero(used)), cell);
+        place(next++, own_point(cell, std::countr_zero(used)), cell, worker);
     });
   });
 }
@@ -237,6 +240,9 @@ class Emission::Writer {
     if (!all) kept_ += std::max<std::size_t>(1, (made.tets.size() + 63) / 64);
   }
 
+  const std::array<VertexId, 4>* end() const { return out_; }
+  void continue_at(std::array<VertexId, 4>* out) { out_ = out; }
+
  private:
   VertexId number_of(const VertexRef& vertex) const {
     const Node& owner = forest_[vertex.leaf];
@@ -254,6 +260,54 @@ void Emission::write_tets(std::array<VertexId, 4>* out) {
   run_tasks([&](Task& task, unsigned worker) {
     Writer writer(*this, task, caches_[worker], out + task.first_tet);
     visit_leaves(forest_, task.block, task.place, task.cell, writer);
+  });
+}
+
+/// Writes the tetrahedra of one task to a buffer, and empties it now and then.
+class Emission::Streamer {
+ public:
+  static constexpr std::size_t kBufferSize = kChunkSize + kMostTetsAtOnce;
+
+  Streamer(const Writer& writer, std::uint64_t first, std::span<std::array<VertexId, 4>> buffer,
+           const TakeTets& take)
+      : writer_(writer), first_(first), buffer_(buffer), take_(take) {}
+
+  void uniform(const Block& block, int place, const Cell& cell) {
+    make_room();
+    writer_.uniform(block, place, cell);
+  }
+  void leaf(const LeafView& leaf) {
+    make_room();
+    writer_.leaf(leaf);
+  }
+
+  /// To be called at the end.
+  void flush() {
+    const auto count = std::size_t(writer_.end() - buffer_.data());
+    if (count > 0) take_(first_, buffer_.first(count));
+    first_ += count;
+    writer_.continue_at(buffer_.data());
+  }
+
+ private:
+  void make_room() {
+    if (writer_.end() - buffer_.data() >= std::ptrdiff_t(kChunkSize)) flush();
+  }
+
+  Writer writer_;
+  std::uint64_t first_;
+  std::span<std::array<VertexId, 4>> buffer_;
+  const TakeTets& take_;
+};
+
+void Emission::stream_tets(const TakeTets& take) {
+  std::vector<std::vector<std::array<VertexId, 4>>> buffers(settings_.threads);
+  run_tasks([&](Task& task, unsigned worker) {
+    auto& buffer = buffers[worker];
+    buffer.resize(Streamer::kBufferSize);
+    Streamer streamer({*this, task, caches_[worker], buffer.data()}, task.first_tet, buffer, take);
+    visit_leaves(forest_, task.block, task.place, task.cell, streamer);
+    streamer.flush();
   });
 }
 

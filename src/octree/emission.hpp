@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "octree/block.hpp"
@@ -35,10 +36,14 @@ class Emission {
   /// Numbers the vertices in use from `first` on: in order of their owners, depth first. \throws Error kLimit
   /// at 2^31.
   void number(VertexId first = 0);
-  /// Calls place(number, world point, its owner) for each vertex, from all threads.
-  void write_points(const std::function<void(VertexId, const Vec3&, const Cell&)>& place);
+  /// Calls place(number, world point, its owner, the thread's number) for each vertex, from all threads; in
+  /// each ascending, but for jumps.
+  void write_points(const std::function<void(VertexId, const Vec3&, const Cell&, unsigned)>& place);
   /// Writes tet_count() tetrahedra, positively oriented.
   void write_tets(std::array<VertexId, 4>* out);
+  /// Or hands them over, some at a time with the number of the first, from all threads.
+  using TakeTets = std::function<void(std::uint64_t, std::span<const std::array<VertexId, 4>>)>;
+  void stream_tets(const TakeTets& take);
 
   std::uint64_t tet_count() const { return tet_count_; }
   std::uint64_t vertex_count() const { return vertex_count_; }  ///< `first` included
@@ -59,6 +64,7 @@ class Emission {
   };
   class Chooser;
   class Writer;
+  class Streamer;
 
   void cut_into_tasks();
   template <class Visit>

@@ -9,12 +9,16 @@
 #include "octree/growth.hpp"
 #include "octree/guest.hpp"
 #include "octree/octree.hpp"
+#include "octree/vertex_chunk.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::octree {
 namespace {
 
 constexpr auto kReportInterval = std::chrono::milliseconds(100);
+
+/// What a thread holds of a mesh that goes to a sink: chunks of vertices and of tetrahedra.
+constexpr std::uint64_t kStreamBytes = kChunkSize * (sizeof(Vec3) + 1 + sizeof(std::array<VertexId, 4>));
 
 /// Thrown to end a run early.
 struct Stopped {
@@ -52,26 +56,20 @@ class Run {
         forest_(ground.lattice.brick) {}
 
   void run() {
-    enter("size");
-    growth_ = grow(forest_, test_,
-                   {options_.threads, options_.all_centers, ground_.root_flags,
-                    [this](std::uint64_t bytes) { poll(bytes); }});
-    enter("balance");
-    stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
-    if (guest_ != nullptr) {
-      enter("points");
-      guest_->on_forest(forest_);
-    }
-    enter("choose");
-    emission_.emplace(forest_, Emission::Settings{options_.threads, [this](const Tet& t) { return keeps(t); },
-                                                  [this] { poll(forest_.bytes()); }});
-    emission_->choose();
-    check_caps();
-    enter("number");
-    emission_->number(guest_ != nullptr ? guest_->vertex_count() : 0);
+    prepare();
     enter("emit");
     write();
     if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_);
+  }
+
+  void stream(MeshSink& sink) {
+    prepare();
+    enter("emit");
+    require_bytes(emission_->bytes() + options_.threads * kStreamBytes);
+    sink.begin({emission_->vertex_count(), emission_->tet_count(), world().frame()});
+    stream_points(sink);
+    emission_->stream_tets(
+        [&](std::uint64_t first, std::span<const std::array<VertexId, 4>> tets) { sink.tets(first, tets); });
   }
 
   void finish_phase() {
@@ -90,6 +88,7 @@ class Run {
     stats.leaves = emission_->leaf_count();
     stats.tested_tets = emission_->tested_tets();
     stats.templates = emission_->template_count();
+    stats.vertices = emission_->vertex_count();
     stats.needed_tets = emission_->tet_count();
     return stats;
   }
@@ -106,6 +105,27 @@ class Run {
 
  private:
   const lattice::World& world() const { return ground_.lattice.world; }
+
+  /// All but the result.
+  void prepare() {
+    enter("size");
+    growth_ = grow(forest_, test_,
+                   {options_.threads, options_.all_centers, ground_.root_flags,
+                    [this](std::uint64_t bytes) { poll(bytes); }});
+    enter("balance");
+    stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
+    if (guest_ != nullptr) {
+      enter("points");
+      guest_->on_forest(forest_);
+    }
+    enter("choose");
+    emission_.emplace(forest_, Emission::Settings{options_.threads, [this](const Tet& t) { return keeps(t); },
+                                                  [this] { poll(forest_.bytes()); }});
+    emission_->choose();
+    check_caps();
+    enter("number");
+    emission_->number(guest_ != nullptr ? guest_->vertex_count() : 0);
+  }
 
   void set_child_flags(const Cell& cell) {
     for (int number = 0; number < 8; ++number) {
@@ -133,7 +153,7 @@ class Run {
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
     mesh_.points.resize(vertices);
     mesh_.levels.resize(vertices);
-    emission_->write_points([this](VertexId v, const Vec3& p, const Cell& owner) {
+    emission_->write_points([this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
       mesh_.points[v] = world().to_caller(p);
       mesh_.levels[v] = guest_ != nullptr ? guest_->on_vertex(v, p, owner, forest_[owner.node])
                                           : std::uint8_t(lattice::canonical_level(p));
@@ -141,6 +161,14 @@ class Run {
     mesh_.tets.resize(tets);
     emission_->write_tets(mesh_.tets.data());
     if (guest_ != nullptr) guest_->complete(mesh_);
+  }
+
+  void stream_points(MeshSink& sink) {
+    std::vector<VertexChunk> chunks(options_.threads, VertexChunk(sink));
+    emission_->write_points([&](VertexId v, const Vec3& p, const Cell&, unsigned worker) {
+      chunks[worker].add(v, world().to_caller(p), std::uint8_t(lattice::canonical_level(p)));
+    });
+    for (VertexChunk& chunk : chunks) chunk.flush();
   }
 
   void require_bytes(std::uint64_t bytes) {
@@ -181,11 +209,12 @@ class Run {
   std::chrono::steady_clock::time_point phase_start_, last_report_ = std::chrono::steady_clock::now();
 };
 
-/// Runs to its end, whatever that is.
-OctreeResult result_of(Run& run) {
+/// Work ends somehow.
+template <class Work>
+OctreeResult result_of(Run& run, const Work& work) {
   OctreeResult result;
   try {
-    run.run();
+    work();
     result.mesh = std::move(run.mesh());
   } catch (const Stopped& stopped) {
     result.status = stopped.status;
@@ -193,6 +222,10 @@ OctreeResult result_of(Run& run) {
   run.finish_phase();
   result.stats = run.stats();
   return result;
+}
+
+OctreeResult result_of(Run& run) {
+  return result_of(run, [&] { run.run(); });
 }
 
 void require_thread(const OctreeOptions& options) {
@@ -206,6 +239,13 @@ OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, cons
   require_thread(options);
   Run run(around(domain, sizing), domain, sizing, options, control);
   return result_of(run);
+}
+
+OctreeResult stream_domain_octree(const Domain& domain, const Sizing& sizing, MeshSink& sink,
+                                  const OctreeOptions& options, const Control& control) {
+  require_thread(options);
+  Run run(around(domain, sizing), domain, sizing, options, control);
+  return result_of(run, [&] { run.stream(sink); });
 }
 
 OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const lattice::World& world,

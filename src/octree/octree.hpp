@@ -14,7 +14,7 @@
 #include "lattice/world.hpp"
 #include "octree/guest.hpp"
 #include "unsliver/domain.hpp"
-#include "unsliver/mesh.hpp"
+#include "unsliver/mesh_sink.hpp"
 #include "unsliver/progress.hpp"
 #include "unsliver/sizing.hpp"
 
@@ -41,6 +41,7 @@ struct OctreeStats {
   std::uint64_t tested_tets = 0;  ///< asked for, one by one, whether they meet the domain
   std::uint64_t templates = 0;    ///< distinct neighbourhoods
   std::uint64_t domain_tests = 0, size_evaluations = 0;
+  std::uint64_t vertices = 0;     ///< of the result
   std::uint64_t needed_tets = 0;  ///< of the result, known also where max_tets ended the run
   std::uint64_t peak_bytes = 0;   ///< held by the generator, result included
   double radius = 0;  ///< of the largest empty ball, in a box filled exactly with s constant; else 0
@@ -62,6 +63,10 @@ struct OctreeResult {
 /// nodes or vertices).
 OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options = {},
                                 const Control& control = {});
+
+/// The same piece by piece: the result's mesh is empty, its arrays go to the sink. \throws what that throws.
+OctreeResult stream_domain_octree(const Domain& domain, const Sizing& sizing, MeshSink& sink,
+                                  const OctreeOptions& options = {}, const Control& control = {});
 
 /// Where vertices of others are (world), and who speaks for them.
 struct GuestList {

@@ -13,6 +13,7 @@
 #include "refine/refinement.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/refine.hpp"
+#include "unsliver/stream.hpp"
 
 namespace unsliver {
 
@@ -162,10 +163,13 @@ MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, std::span<
   return result;
 }
 
+QualityLimits limits_of(const MeshOptions& options, bool with_input_vertices) {
+  return {options.min_dihedral_deg, options.max_dihedral_deg,
+          refine::max_radius_edge(options, with_input_vertices)};
+}
+
 void state_limits(const MeshOptions& options, bool with_input_vertices, MeshResult& result) {
-  if (result.status != MeshStatus::kDone) return;
-  result.mesh.limits = QualityLimits{options.min_dihedral_deg, options.max_dihedral_deg,
-                                     refine::max_radius_edge(options, with_input_vertices)};
+  if (result.status == MeshStatus::kDone) result.mesh.limits = limits_of(options, with_input_vertices);
 }
 
 /// Nothing to say where the lattice is as asked (`radius` <= `asked`), or the size varies (`radius` 0).
@@ -200,6 +204,30 @@ MeshResult mesh_domain(const Domain& domain, const Sizing& sizing, std::span<con
   result.stats.strategy = choice.strategy;
   result.stats.strategy_reason = choice.reason;
   state_limits(options, !inputs.empty(), result);
+  return result;
+}
+
+StreamResult stream_domain(const Domain& domain, const Sizing& sizing, MeshSink& sink,
+                           const MeshOptions& options, const Control& control) {
+  const StrategyChoice choice = choose_strategy(options, sizing, false);
+  if (choice.strategy != Strategy::kOctree)
+    throw Error(ErrorCode::kBadOption,
+                fmt::format("only the octree strategy makes meshes piece by piece, this is {} ({})",
+                            to_string(choice.strategy), choice.reason));
+  refine::quality_bounds(options, false);  // refuses what no theorem backs
+  const octree::OctreeOptions limits = octree_options(options);
+  octree::OctreeResult made = octree::stream_domain_octree(domain, sizing, sink, limits, control);
+  StreamResult result;
+  result.vertices = made.stats.vertices;
+  result.tets = made.stats.needed_tets;
+  MeshResult meshed = result_of(std::move(made), limits);
+  result.status = meshed.status;
+  result.limits = limits_of(options, false);
+  result.stats = std::move(meshed.stats);
+  result.stats.total_vertices = result.vertices;
+  result.stats.total_tets = result.tets;
+  result.stats.strategy = choice.strategy;
+  result.stats.strategy_reason = choice.reason;
   return result;
 }
 

@@ -68,7 +68,7 @@ inline PointsAndTets emit(Forest& forest, unsigned threads = 1) {
   emission.number();
   PointsAndTets result;
   result.points.resize(emission.vertex_count());
-  emission.write_points([&](VertexId v, const Vec3& p, const Cell&) { result.points[v] = p; });
+  emission.write_points([&](VertexId v, const Vec3& p, const Cell&, unsigned) { result.points[v] = p; });
   result.tets.resize(emission.tet_count());
   emission.write_tets(result.tets.data());
   return result;
