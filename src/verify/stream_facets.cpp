@@ -1,0 +1,164 @@
+#include "verify/stream_facets.hpp"
+
+#include "verify/shape.hpp"
+
+namespace unsliver::verifier {
+namespace {
+
+constexpr std::uint64_t kBlock = 1024;                           // vertices
+constexpr std::uint64_t kMostInMemory = std::uint64_t{1} << 23;  // facets, 12 bytes each
+constexpr std::array<std::array<int, 3>, 4> kFace{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// Corners in cyclic order seen from outside, the smallest first.
+struct Half {
+  VertexId smallest, second, third;
+
+  VertexId low() const { return std::min(second, third); }
+  std::uint64_t key() const { return std::uint64_t{low()} << 32 | std::max(second, third); }
+  bool same_facet(const Half& h) const { return smallest == h.smallest && key() == h.key(); }
+  friend bool operator<(const Half& a, const Half& b) {
+    return a.smallest != b.smallest ? a.smallest < b.smallest : a.key() < b.key();
+  }
+};
+
+/// Calls visit(half) for the four facets.
+template <class Visit>
+void for_each_half(const std::array<VertexId, 4>& tet, const Visit& visit) {
+  for (const auto& face : kFace) {
+    const VertexId a = tet[face[0]], b = tet[face[1]], c = tet[face[2]];
+    visit(a < b && a < c ? Half{a, b, c} : b < c ? Half{b, c, a} : Half{c, a, b});
+  }
+}
+
+class Matcher {
+ public:
+  Matcher(const StreamContext& context, PointPages& points)
+      : c_(context), points_(points), origin_(points[0]) {}
+
+  void match(std::vector<Half>& halves) {
+    std::sort(halves.begin(), halves.end());
+    for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
+      while (end < halves.size() && halves[end].same_facet(halves[i])) ++end;
+      match({halves.data() + i, end - i});
+    }
+  }
+
+  FacetCounts counts() const { return counts_; }
+
+ private:
+  void match(std::span<const Half> group) {
+    if (group.size() == 1) {
+      ++counts_.boundary;
+      counts_.six_volumes += cone(group[0]);
+      if (c_.options.inside) check_cover(group[0]);
+    } else if (group.size() > 2) {
+      find(group[0], "belongs to " + std::to_string(group.size()) + " tetrahedra");
+    } else if (group[0].second == group[1].second) {
+      find(group[0], "has two tetrahedra on the same side");
+    } else {
+      ++counts_.interior;
+    }
+  }
+
+  /// The caller's coordinates.
+  Vec3 point(VertexId v) {
+    const auto q = points_[v];
+    return c_.head.frame.origin + c_.head.frame.unit * Vec3{double(q[0]), double(q[1]), double(q[2])};
+  }
+
+  /// Just beyond: the domain may end in the facet itself.
+  void check_cover(const Half& h) {
+    constexpr double kBeyond = 1e-6;  // of an edge, about
+    const std::array<Vec3, 3> corners{point(h.smallest), point(h.second), point(h.third)};
+    const Vec3 normal = unsliver::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Vec3 center = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    const Vec3 step = kBeyond / std::sqrt(norm(normal)) * normal;
+    for (const Vec3& p :
+         {center, 0.5 * (center + corners[0]), 0.5 * (center + corners[1]), 0.5 * (center + corners[2])}) {
+      if (!c_.options.inside(p + step)) continue;
+      c_.reporter.find("cover", {h.smallest, h.second, h.third}, [&] {
+        return "the domain is on both sides of " + name_of(h) + " near " + full(p) +
+               ", and only one tetrahedron is there";
+      });
+      return;
+    }
+  }
+
+  /// Six times the volume between the facet and some one point.
+  BigInt cone(const Half& h) {
+    std::array<Row<BigInt>, 3> rows;
+    const std::array<VertexId, 3> corners{h.smallest, h.second, h.third};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto q = points_[corners[i]];
+      for (std::size_t axis = 0; axis < 3; ++axis) rows[i][axis] = q[axis] - origin_[axis];
+    }
+    return dot(rows[0], cross(rows[1], rows[2]));
+  }
+
+  void find(const Half& h, const std::string& fault) {
+    c_.reporter.find("conformity", {h.smallest, h.second, h.third}, [&] { return name_of(h) + " " + fault; });
+  }
+
+  static std::string name_of(const Half& h) {
+    return "facet " + std::to_string(h.smallest) + " " + std::to_string(h.second) + " " +
+           std::to_string(h.third);
+  }
+
+  const StreamContext& c_;
+  PointPages& points_;
+  Row<std::int64_t> origin_;
+  FacetCounts counts_;
+};
+
+}  // namespace
+
+FacetMap::FacetMap(const StreamContext& context)
+    : facets_(static_cast<std::size_t>(context.head.vertices / kBlock + 1)) {}
+
+void FacetMap::add_chunk(const TetChunk& tets) {
+  Extent extent{kNoVertex, 0};
+  for (const auto& tet : tets)
+    for_each_half(tet, [&](const Half& half) {
+      ++facets_[half.smallest / kBlock];
+      extent = {std::min(extent.low, half.smallest), std::max(extent.high, half.smallest)};
+    });
+  chunks_.push_back(extent);
+}
+
+std::vector<FacetMap::Range> FacetMap::ranges() const {
+  std::vector<Range> ranges;
+  for (std::uint64_t block = 0; block < facets_.size(); ++block) {
+    const std::uint64_t more = facets_[block];
+    if (ranges.empty() || ranges.back().facets + more > kMostInMemory)
+      ranges.push_back({block * kBlock, block * kBlock, 0});
+    ranges.back().last = (block + 1) * kBlock;
+    ranges.back().facets += more;
+  }
+  return ranges;
+}
+
+bool FacetMap::meets(std::uint64_t chunk, const Range& range) const {
+  return chunks_[chunk].low < range.last && chunks_[chunk].high >= range.first;
+}
+
+FacetCounts match_stream_facets(const StreamContext& c, const FacetMap& map, PointPages& points) {
+  Matcher matcher(c, points);
+  std::vector<Half> halves;
+  TetChunk tets;
+  for (const FacetMap::Range& range : map.ranges()) {
+    halves.clear();
+    halves.reserve(range.facets);
+    for (std::uint64_t chunk = 0; chunk < chunk_count(c.head.tets); ++chunk) {
+      if (!map.meets(chunk, range)) continue;
+      read_chunk(c, chunk, tets);
+      for (const auto& tet : tets)
+        for_each_half(tet, [&](const Half& half) {
+          if (range.first <= half.smallest && half.smallest < range.last) halves.push_back(half);
+        });
+    }
+    matcher.match(halves);
+  }
+  return matcher.counts();
+}
+
+}  // namespace unsliver::verifier
