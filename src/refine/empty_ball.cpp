@@ -215,11 +215,16 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hu
   // The size step beside input vertices counts on a ball that holds none of them.
   const bool nearly = listed_sq <= square((1 - kSizeSlack) * size);
   if (nearly && r_.inputs().empty()) return insert_rather_than_prove(ball, t);
-  vertices_.push_back(r_.mesh().point(r_.nearest_vertex(ball.center, t)));
+  const VertexId nearest = r_.nearest_vertex(ball.center, t);
+  vertices_.push_back(r_.mesh().point(nearest));
   const double nearest_sq = dist_sq(vertices_.back(), ball.center);
-  if (nearest_sq <= square(share * size)) return std::nullopt;
-  if (nearest_sq <= square((1 - kSizeSlack) * size)) return insert_rather_than_prove(ball, t);
-  return ball;
+  std::optional<EmptyBall> found;
+  if (nearest_sq > square((1 - kSizeSlack) * size))
+    found = ball;
+  else if (nearest_sq > square(share * size))
+    found = insert_rather_than_prove(ball, t);
+  if (!found) r_.rely_on(nearest);
+  return found;
 }
 
 /// To show that a small cell is covered can cost more than a vertex, or not end where the bound is attained.
@@ -229,8 +234,10 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hu
 std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBall& ball, TetId t) {
   const Vec3 w = point_for(ball).w;
   if (std::find(vertices_.begin(), vertices_.end(), w) != vertices_.end()) return std::nullopt;
-  if (r_.mesh().corner_at(r_.mesh().locate(w, t), w) == kNoVertex) return ball;
+  const VertexId v = r_.mesh().corner_at(r_.mesh().locate(w, t), w);
+  if (v == kNoVertex) return ball;
   vertices_.push_back(w);
+  r_.rely_on(v);
   return std::nullopt;
 }
 

@@ -46,6 +46,18 @@ void copy_points(const Refinement& r, const Numbering& numbering, TetMesh& mesh)
 
 }  // namespace
 
+bool want_dropped_proofs(Refinement& r) {
+  const PodVector<TetId> kept = kept_tets(r);
+  const Numbering numbering(r, kept);
+  bool any = false;
+  for (VertexId v = 1; v < numbering.index.size(); ++v) {
+    if (!r.is_relied_on(v) || numbering.index[v] != kNoVertex) continue;
+    r.want(v);
+    any = true;
+  }
+  return any;
+}
+
 TetMesh extract_superset(Refinement& r) {
   const PodVector<TetId> kept = kept_tets(r);
   const Numbering numbering(r, kept);

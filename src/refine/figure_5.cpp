@@ -50,6 +50,10 @@ void figure_5_literal(Refinement& r) {
 void figure_5_thrifty(Refinement& r) {
   r.enter_phase("size");
   enforce_size(r);
+  figure_5_quality(r);
+}
+
+void figure_5_quality(Refinement& r) {
   r.enter_phase("quality");
   std::vector<TetId> pending;
   const std::size_t slots = r.mesh().slot_count();

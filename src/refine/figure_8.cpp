@@ -154,6 +154,10 @@ void figure_8_literal(Refinement& r) {
 void figure_8_thrifty(Refinement& r) {
   r.enter_phase("size");
   enforce_size(r);
+  figure_8_quality(r);
+}
+
+void figure_8_quality(Refinement& r) {
   r.enter_phase("quality");
   RadiusQueue queue;
   const auto push_if_bad = [&](TetId t) {

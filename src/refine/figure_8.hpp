@@ -13,6 +13,8 @@ void figure_8_literal(Refinement& refinement);
 /// with certified candidates from the coarsest level that has one, and the figure's own cases where none is
 /// certified.
 void figure_8_thrifty(Refinement& refinement);
+/// Its second part alone.
+void figure_8_quality(Refinement& refinement);
 
 /// One thrifty step for a bad tetrahedron: a certified candidate, or the figure's own case.
 void enforce_quality(Refinement& refinement, TetId bad);

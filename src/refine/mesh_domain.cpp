@@ -55,6 +55,14 @@ void run(refine::Refinement& r, Strategy strategy) {
     literal ? refine::figure_8_literal(r) : refine::figure_8_thrifty(r);
 }
 
+/// Some more tetrahedra count as meeting the domain: closure knows no bad ones, and balls keep their
+/// vertices.
+void run_again(refine::Refinement& r, Strategy strategy) {
+  if (strategy == Strategy::kLiteral) return run(r, strategy);
+  if (strategy == Strategy::kClosure) return;
+  r.inputs().empty() ? refine::figure_5_quality(r) : refine::figure_8_quality(r);
+}
+
 std::vector<std::string> notes_on_inputs(const refine::Refinement& r) {
   std::vector<std::string> notes;
   if (const std::string merged = r.inputs().sites().note(); !merged.empty()) notes.push_back(merged);
@@ -73,6 +81,7 @@ MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::s
   result.notes = notes_on_inputs(refinement);
   try {
     run(refinement, options.strategy);
+    while (refine::want_dropped_proofs(refinement)) run_again(refinement, options.strategy);
   } catch (const refine::Stopped& stopped) {
     result.status = stopped.status;
   }

@@ -125,10 +125,16 @@ bool Refinement::has_outside_input(TetId t) const {
          });
 }
 
+bool Refinement::has_wanted(TetId t) const {
+  return any_wanted_ && std::any_of(mesh_.tet(t).v, mesh_.tet(t).v + 4,
+                                    [this](VertexId v) { return (proofs_[v] & kWanted) != 0; });
+}
+
 void Refinement::add_vertex_arrays(Level label, double lfs_bound) {
   labels_.push_back(static_cast<std::uint8_t>(label));
   lfs_bounds_.push_back(rounded_up(lfs_bound));
   clearances_.push_back(kUnknown);
+  proofs_.push_back(0);
 }
 
 VertexId Refinement::finest_corner(TetId t) const {
@@ -153,7 +159,7 @@ double Refinement::clearance(VertexId v) {
 /// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside. Input
 /// vertices are written less than a unit away from their places in the world.
 bool Refinement::meets_domain(TetId t) {
-  if (has_outside_input(t)) return true;
+  if (has_outside_input(t) || has_wanted(t)) return true;
   const Tet corners = mesh_.corners(t);
   const auto& v = mesh_.tet(t).v;
   const double shift = inputs_.empty() ? 0 : 1;
@@ -227,7 +233,7 @@ void Refinement::insert_in_conflict(const Vec3& w, Level label, double lfs_bound
 }
 
 std::uint64_t Refinement::bytes() const {
-  return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes();
+  return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes() + proofs_.bytes();
 }
 
 void Refinement::poll() {

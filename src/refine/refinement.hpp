@@ -62,6 +62,15 @@ class Refinement {
   /// t's refinement vertex with the finest label; kNoVertex where all corners are input vertices.
   VertexId finest_corner(TetId t) const;
 
+  /// A size proof rests on v: then v must be a vertex of the result, or the proof speaks of another mesh.
+  void rely_on(VertexId v) { proofs_[v] |= kReliedOn; }
+  bool is_relied_on(VertexId v) const { return (proofs_[v] & kReliedOn) != 0; }
+  /// Tetrahedra at v count as meeting the domain from now on.
+  void want(VertexId v) {
+    proofs_[v] |= kWanted;
+    any_wanted_ = true;
+  }
+
   /// v in the caller's coordinates, as it is written: input vertices bit for bit.
   Vec3 output_position(VertexId v) const {
     return is_input(v) ? given_[inputs_.sites().first_point[site(v)]] : world_.to_caller(mesh_.point(v));
@@ -121,6 +130,7 @@ class Refinement {
   void insert_inputs();
   bool lies_outside(VertexId site) const;
   bool has_outside_input(TetId t) const;
+  bool has_wanted(TetId t) const;
   void add_vertex_arrays(Level label, double lfs_bound);
   void report_progress();
   std::uint64_t bytes() const;
@@ -143,6 +153,9 @@ class Refinement {
   delaunay::Triangulation mesh_;
   PodVector<std::uint8_t> labels_;
   PodVector<float> lfs_bounds_;
+  enum Proof : std::uint8_t { kReliedOn = 1, kWanted = 2 };
+  PodVector<std::uint8_t> proofs_;  ///< by vertex, of Proof
+  bool any_wanted_ = false;
   PodVector<float> clearances_;  ///< signed, see Domain::clearance; NaN = not asked yet
 
   exact::StageCounts quality_counts_;
