@@ -155,7 +155,7 @@ class Refused(ProgramTest):
 
     def test_options(self):
         self.write("in.mesh", medit(SLIVER, [(0, 1, 2, 3)]))
-        for arguments, word in [(["--max-radius-edge", "1.2"], "1.368"), (["--strategy", "octree"], "octree"),
+        for arguments, word in [(["--max-radius-edge", "1.2"], "1.368"), (["--strategy", "closure"], "closure"),
                                 (["--box", "0 0 0 1 1 1"], "--box"), (["--size", "-1"], "--size")]:
             with self.subTest(arguments=arguments):
                 self.refuse(2, "refine", "in.mesh", *arguments, "-o", "out.vtu", saying=[word])
