@@ -11,7 +11,9 @@
 #include "files.hpp"
 #include "mesh_report.hpp"
 #include "progress_display.hpp"
+#include "raw_mesh.hpp"
 #include "samples.hpp"
+#include "shape_quality.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
 #include "unsliver/io.hpp"
@@ -58,8 +60,8 @@ std::optional<QualityLimits> limits_due(const TetMesh& mesh) {
 }
 
 /// What the mesh is held to: what is due, each limit replaced by what was asked for.
-std::optional<QualityLimits> limits_to_hold(const CheckOptions& options, const TetMesh& mesh) {
-  const std::optional<QualityLimits> due = limits_due(mesh);
+std::optional<QualityLimits> limits_to_hold(const CheckOptions& options,
+                                            const std::optional<QualityLimits>& due) {
   if (!due && !options.min_angle && !options.max_angle && !options.max_radius_edge) return std::nullopt;
   const QualityLimits limits = due.value_or(QualityLimits{});
   return QualityLimits{options.min_angle.value_or(limits.min_dihedral_deg),
@@ -90,6 +92,18 @@ std::vector<Vec3> points_to_cover(const std::string& surface_path, bool ours) {
   return points;
 }
 
+std::optional<QualityGuarantee> guarantee_of(const CheckReport& report) {
+  if (!report.held_to) return std::nullopt;
+  const QualityLimits& limits = *report.held_to;
+  return QualityGuarantee{limits.min_dihedral_deg, limits.max_dihedral_deg, limits.max_radius_edge};
+}
+
+void conclude(CheckReport& report) {
+  if (report.verified.ok)
+    round_extremes(report.held_to.value_or(QualityLimits{}), report.verified, report.quality);
+  report.exit_code = report.verified.ok ? ExitCode::kDone : ExitCode::kLimit;
+}
+
 CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   CheckReport report;
   report.file = options.mesh;
@@ -97,31 +111,53 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   report.vertices = mesh.points.size();
   for (const Vec3& p : mesh.points) report.bounds.extend(p);
   report.ours = is_ours(mesh);
-  report.held_to = limits_to_hold(options, mesh);
+  report.held_to = limits_to_hold(options, limits_due(mesh));
   report.quality = summarize_quality(mesh, options.worst);
 
   VerifyOptions verify_options;
-  if (const auto& held_to = report.held_to)
-    verify_options.guarantee = {held_to->min_dihedral_deg, held_to->max_dihedral_deg,
-                                held_to->max_radius_edge};
+  verify_options.guarantee = guarantee_of(report);
   verify_options.delaunay = report.ours;
   verify_options.must_cover = points_to_cover(options.against, report.ours);
   verify_options.cover_tolerance = sample_rounding(verify_options.must_cover);
   ProgressDisplay display(!options.quiet && stderr_is_terminal());
   report.verified = verify(mesh, verify_options, display.control());
-  if (report.verified.ok)
-    round_extremes(report.held_to.value_or(QualityLimits{}), report.verified, report.quality);
-  report.exit_code = report.verified.ok ? ExitCode::kDone : ExitCode::kLimit;
+  conclude(report);
+  return report;
+}
+
+/// A folder of mesh --stream, which need not fit into memory.
+CheckReport judge_pieces(const CheckOptions& options) {
+  RawMeshReader mesh(options.mesh);
+  CheckReport report;
+  report.file = options.mesh;
+  report.against = options.against;
+  report.vertices = mesh.head().vertices;
+  report.ours = true;
+  report.held_to = limits_to_hold(options, mesh.limits());
+
+  StreamVerifyOptions verify_options;
+  verify_options.guarantee = guarantee_of(report);
+  if (!options.against.empty()) {
+    const DomainPtr domain = make_surface(io::read_surface(options.against));
+    verify_options.inside = [domain](const Vec3& p) { return domain->contains(p); };
+  }
+  ProgressDisplay display(!options.quiet && stderr_is_terminal());
+  StreamVerifyReport verified = verify_stream(mesh, verify_options, display.control());
+  report.bounds = verified.bounds;
+  report.quality = summarize_quality(verified.shapes, options.worst);
+  report.verified = std::move(verified);
+  conclude(report);
   return report;
 }
 
 ExitCode run(const CheckOptions& options) {
   check_bounds(options);
-  check_readable(options.mesh);
+  const bool raw = is_raw_mesh(options.mesh);
+  if (!raw) check_readable(options.mesh);
   if (!options.against.empty()) check_readable(options.against);
   check_distinct({options.json}, {options.mesh, options.against});
   if (!options.json.empty() && options.json != "-") check_writable(options.json, "--json");
-  const CheckReport report = judge(options, io::read_tet_mesh(options.mesh));
+  const CheckReport report = raw ? judge_pieces(options) : judge(options, io::read_tet_mesh(options.mesh));
   if (!options.quiet && options.json != "-") print_result(to_table(report));
   if (!options.json.empty()) write_json(options.json, to_json(report).dump(2) + "\n");
   if (!report.verified.ok)
@@ -137,7 +173,10 @@ Command add_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* const parser =
       app.add_subcommand("check", "Judge any tetrahedral mesh: validity, angles, worst elements");
-  parser->add_option("MESH", options->mesh, "mesh file: .vtu .msh .mesh .node .ele")->required();
+  parser
+      ->add_option("MESH", options->mesh,
+                   "mesh file: .vtu .msh .mesh .node .ele, or a folder of mesh --stream")
+      ->required();
   parser->add_option("--against", options->against, "surface file that the mesh must cover");
   parser->add_option("--min-angle", options->min_angle,
                      "hold it to this smallest dihedral angle, in degrees");

@@ -8,6 +8,7 @@
 #include "files.hpp"
 #include "interrupts.hpp"
 #include "mesh_options.hpp"
+#include "raw_mesh.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
 
@@ -28,10 +29,11 @@ struct ConvertOptions {
 };
 
 ExitCode run(const ConvertOptions& options) {
-  check_readable(options.from);
+  const bool raw = is_raw_mesh(options.from);
+  if (!raw) check_readable(options.from);
   check_write_options(options.to, options.write);
   check_distinct({options.to}, {options.from});
-  const TetMesh mesh = io::read_tet_mesh(options.from);
+  const TetMesh mesh = raw ? read_raw_mesh(options.from) : io::read_tet_mesh(options.from);
   {
     const interrupts::Hold hold(interrupts::Hold::For::kFile);
     io::write_tet_mesh(options.to, mesh, options.write);
@@ -47,7 +49,10 @@ ExitCode run(const ConvertOptions& options) {
 Command add_convert(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
   CLI::App* const parser = app.add_subcommand("convert", "Convert a tetrahedral mesh to another format");
-  parser->add_option("FROM", options->from, "mesh file: .vtu .msh .mesh .node .ele")->required();
+  parser
+      ->add_option("FROM", options->from,
+                   "mesh file: .vtu .msh .mesh .node .ele, or a folder of mesh --stream")
+      ->required();
   parser->add_option("TO", options->to, "mesh file: .vtu .msh .mesh .node")->required();
   add_write_options(*parser, options->write);
   parser->add_flag("--quiet", options->quiet, "print errors only");

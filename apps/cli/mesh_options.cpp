@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "files.hpp"
+#include "raw_mesh.hpp"
 #include "text.hpp"
 #include "unsliver/error.hpp"
 #include "usage.hpp"
@@ -123,7 +124,7 @@ void add_thread_option(CLI::App& parser, MeshCommandOptions& options) {
 }
 
 void add_output_options(CLI::App& parser, MeshCommandOptions& options) {
-  parser.add_option("-o,--output", options.output, "mesh file: .vtu .msh .mesh .node")->required();
+  parser.add_option("-o,--output", options.output, "mesh file: .vtu .msh .mesh .node");
   add_write_options(parser, options.write);
   parser.add_option("--json", options.json, "report for machines: a file, or - for standard output");
   parser.add_flag("--quiet", options.quiet, "print errors only");
@@ -175,6 +176,30 @@ void check_conforming_strategy(const MeshCommandOptions& options) {
                     options.strategy));
 }
 
+/// Pieces are made, and the judge for them knows, what octrees make around a domain, and no more.
+void check_stream(const MeshCommandOptions& options) {
+  const auto refuse = [](const std::string& what) {
+    throw Error(ErrorCode::kBadOption, "--stream writes a folder of plain arrays: " + what);
+  };
+  if (!options.output.empty()) refuse("leave out --output");
+  if (!options.write.format.empty() || options.write.ascii) refuse("--format and --ascii have no effect");
+  if (options.domain.has_inputs()) refuse("it goes without points");
+  if (options.domain.conform) refuse("it goes without --conform");
+  if (options.keep_partial) refuse("--keep-partial has no effect, there is no mesh until its end");
+  if (options.strategy != "auto" && options.strategy != "octree")
+    refuse("it goes with --strategy octree, not " + options.strategy);
+  check_raw_output(options.stream);
+}
+
+void check_output(const MeshCommandOptions& options) {
+  if (!options.stream.empty()) return check_stream(options);
+  if (options.output.empty())
+    throw Error(ErrorCode::kBadOption, options.domain.mesh_file
+                                           ? "--output is required: the mesh file to write"
+                                           : "--output is required: the mesh file to write, or --stream");
+  check_write_options(options.output, options.write);
+}
+
 /// An octree run that is ended early has no mesh to keep.
 Strategy strategy_of(const MeshCommandOptions& options) {
   Strategy strategy = Strategy::kAuto;
@@ -205,6 +230,9 @@ void check_write_options(const std::string& output, const io::WriteOptions& writ
 void add_mesh_options(CLI::App& parser, MeshCommandOptions& options) {
   add_domain_options(parser, options.domain);
   add_shared_options(parser, options);
+  parser.add_option("--stream", options.stream,
+                    "in place of --output, for meshes larger than memory: a new\n"
+                    "folder of plain arrays. Strategy octree, no points, no --conform");
 }
 
 void add_refine_options(CLI::App& parser, MeshCommandOptions& options) {
@@ -232,7 +260,7 @@ void check_mesh_options(MeshCommandOptions& options) {
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");
   if (!options.max_memory.empty())
     options.mesh.max_memory_bytes = parse_bytes(options.max_memory, "--max-memory");
-  check_write_options(options.output, options.write);
+  check_output(options);
 }
 
 }  // namespace unsliver::cli

@@ -22,6 +22,7 @@ struct MeshCommandOptions {
   std::optional<unsigned> threads;        ///< as typed; none = one for each core
   std::string max_tets, max_memory;       ///< as typed; empty = none
   std::string output;
+  std::string stream;  ///< the folder that takes its place; empty = none
   io::WriteOptions write;
   std::string json;  ///< a path, "-" for standard output, empty for none
   bool keep_partial = false, no_verify = false, quiet = false;

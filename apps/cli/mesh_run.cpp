@@ -11,10 +11,13 @@
 #include "files.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
+#include "raw_mesh.hpp"
 #include "resources.hpp"
 #include "samples.hpp"
+#include "shape_quality.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
+#include "unsliver/stream.hpp"
 
 namespace unsliver::cli {
 namespace {
@@ -36,6 +39,9 @@ bool writes_vtu(const MeshCommandOptions& options) {
   return options.write.format.empty() ? extension_of(options.output) == "vtu" : options.write.format == "vtu";
 }
 
+/// What the octree strategy holds of a mesh that it need not hold.
+constexpr double kStreamedBytesPerTet = 1.5;
+
 /// The estimate may be too high by as much; a run that starts is still ended by its caps.
 constexpr double kEstimateError = 2;
 
@@ -50,8 +56,12 @@ class MeshRun {
   void prepare();
   void check_limits();
   void generate();
+  void make();
+  void make_in_pieces();
   void count();
   void judge();
+  void judge_arrays();
+  void judge_pieces();
   void write();
 
   void settle(const std::string& status, ExitCode code);
@@ -63,6 +73,7 @@ class MeshRun {
   QualityLimits limits() const {
     return {asked().min_dihedral_deg, asked().max_dihedral_deg, asked().max_radius_edge};
   }
+  bool is_streamed() const { return !options_.stream.empty(); }
   const std::optional<InputVertices>& inputs() const { return report_.source->inputs; }
 
   /// Errors about the points name them as the file does.
@@ -89,16 +100,19 @@ class MeshRun {
   MeshReport& report_;
   ProgressDisplay display_;
   std::optional<interrupts::Hold> hold_;
-  MeshResult result_;
+  MeshResult result_;                    ///< without its mesh where that is in the folder
+  std::optional<RawMeshWriter> folder_;  ///< of --stream
 };
 
 void MeshRun::run() {
   const auto start = Clock::now();
   timed("read", [this] { prepare(); });
   check_limits();
-  if (options_.keep_partial || !options_.json.empty()) hold_.emplace(interrupts::Hold::For::kOutcome);
+  if (options_.keep_partial || is_streamed() || !options_.json.empty())
+    hold_.emplace(interrupts::Hold::For::kOutcome);
   generate();
-  const bool has_mesh = result_.status != MeshStatus::kCancelled && !result_.mesh.tets.empty();
+  const bool has_mesh =
+      result_.status != MeshStatus::kCancelled && report_.counts && report_.counts->tets > 0;
   if (!options_.no_verify && has_mesh) timed("verify", [this] { judge(); });
   const bool wanted = report_.exit_code == ExitCode::kDone ||
                       (report_.exit_code == ExitCode::kLimit && options_.keep_partial);
@@ -120,6 +134,7 @@ void MeshRun::prepare() {
   with_inputs([this](std::span<const Vec3> points) {
     report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, points, asked());
   });
+  if (is_streamed()) report_.estimate->bytes = kStreamedBytesPerTet * report_.estimate->tets;
 }
 
 void MeshRun::check_limits() {
@@ -146,19 +161,35 @@ void MeshRun::check_limits() {
                           inputs() ? "less (--min-angle, --max-angle, --size)" : "larger elements (--size)"));
 }
 
-void MeshRun::generate() {
+void MeshRun::make() {
   with_inputs([this](std::span<const Vec3> points) {
     const DomainSource& source = *report_.source;
     const Sizing& sizing = *report_.size->sizing;
     result_ = source.exact_box ? mesh_box(*source.exact_box, sizing, asked(), display_.control())
                                : mesh_domain(*source.domain, sizing, points, asked(), display_.control());
   });
+}
+
+void MeshRun::make_in_pieces() {
+  folder_.emplace(options_.stream);
+  StreamResult made =
+      stream_domain(*report_.source->domain, *report_.size->sizing, *folder_, asked(), display_.control());
+  result_.status = made.status;
+  result_.stats = std::move(made.stats);
+  if (made.status != MeshStatus::kDone) return;
+  report_.counts = {made.vertices, made.tets, 0, 0};
+  folder_->finish(made.limits);
+}
+
+void MeshRun::generate() {
+  is_streamed() ? make_in_pieces() : make();
   display_.clear();
   report_.stats = result_.stats;
   report_.phases.insert(report_.phases.end(), result_.stats.phases.begin(), result_.stats.phases.end());
   report_.notes.insert(report_.notes.end(), result_.notes.begin(), result_.notes.end());
   settle(to_string(result_.status), result_.status == MeshStatus::kDone ? ExitCode::kDone : ExitCode::kLimit);
-  if (result_.status == MeshStatus::kCancelled && !options_.keep_partial) return;
+  const bool wanted = result_.status != MeshStatus::kCancelled || options_.keep_partial;
+  if (!wanted || is_streamed()) return;
   count();
   timed("measure", [this] { report_.quality = summarize_quality(result_.mesh); });
 }
@@ -209,16 +240,30 @@ std::function<double(const Vec3&)> MeshRun::local_feature_size(const GradingGuar
                   : lfs_lower_bound(domain, sizing, grading);
 }
 
-void MeshRun::judge() {
+void MeshRun::judge_pieces() {
+  RawMeshReader mesh(folder_->place());
+  StreamVerifyOptions asked;
+  asked.guarantee = {limits().min_dihedral_deg, limits().max_dihedral_deg, limits().max_radius_edge};
+  asked.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
+  StreamVerifyReport verified = verify_stream(mesh, asked, display_.control());
+  report_.quality = summarize_quality(verified.shapes);
+  report_.verified = std::move(verified);
+}
+
+void MeshRun::judge_arrays() {
   VerifyOptions asked = verify_options();
   if (asked.size && !can_test_size()) {
     asked.size = nullptr;
     report_.notes.emplace_back(kNoInside);
   }
   report_.verified = verify(result_.mesh, asked, display_.control());
-  display_.clear();
   if (inputs()) check_inputs(result_.mesh, inputs()->set.points, *report_.verified);
   if (report_.source->exact_box) check_box(result_.mesh, *report_.source->exact_box, *report_.verified);
+}
+
+void MeshRun::judge() {
+  is_streamed() ? judge_pieces() : judge_arrays();
+  display_.clear();
   if (interrupts::requested()) {
     report_.verified.reset();
     settle("unverified", ExitCode::kLimit);
@@ -232,6 +277,11 @@ void MeshRun::judge() {
 
 void MeshRun::write() {
   hold_.emplace(interrupts::Hold::For::kFile);
+  if (is_streamed()) {
+    folder_->commit();
+    report_.output = options_.stream;
+    return;
+  }
   if (inputs()) restore_ids(*inputs(), result_.mesh);
   io::WriteOptions write = options_.write;
   if (writes_vtu(options_)) write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);

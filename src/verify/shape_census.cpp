@@ -27,10 +27,16 @@ struct Samples {
     for (std::size_t i = first; i < places.size(); ++i)
       mesh.points.push_back({double(places[i][0]), double(places[i][1]), double(places[i][2])});
   }
+
+  Tet last_corners(double unit) const {
+    Tet corners = mesh.corners(mesh.tets.size() - 1);
+    for (Vec3& p : corners) p = unit * p;
+    return corners;
+  }
 };
 
 void report_quality(const StreamContext& c, std::size_t shapes) {
-  const VerifyReport& r = c.reporter.report();
+  const VerifyReport& r = c.report;
   const std::uint64_t wrong = c.reporter.count("orientation");
   c.reporter.line("orientation: " + grouped(c.head.tets) + " tetrahedra of " + grouped(shapes) + " shapes, " +
                   (wrong == 0 ? "all positive (exact)" : grouped(wrong) + " shapes NOT positive"));
@@ -54,7 +60,10 @@ void ShapeCensus::judge(const StreamContext& c) const {
   std::sort(order.begin(), order.end(),
             [](const auto& a, const auto& b) { return a.first.first_tet < b.first.first_tet; });
   Samples samples;
-  for (const auto& [count, shape] : order) samples.add(*shape);
+  for (const auto& [count, shape] : order) {
+    samples.add(*shape);
+    c.report.shapes.push_back({count.first_tet, count.tets, samples.last_corners(c.head.frame.unit)});
+  }
 
   VerifyReport of_samples;
   Reporter reporter(of_samples, order.size());
@@ -70,7 +79,7 @@ void ShapeCensus::judge(const StreamContext& c) const {
              " more of its shape," + finding.message.substr(describe_tet(samples.mesh, sample).size());
     });
   }
-  VerifyReport& report = c.reporter.report();
+  VerifyReport& report = c.report;
   report.min_dihedral_deg = of_samples.min_dihedral_deg;
   report.max_dihedral_deg = of_samples.max_dihedral_deg;
   report.max_radius_edge = of_samples.max_radius_edge;

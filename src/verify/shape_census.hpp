@@ -37,7 +37,8 @@ class ShapeCensus {
   std::size_t size() const { return shapes_.size(); }
 
   /// Judges each shape. Findings "orientation", "dihedral" and "radius-edge" name the first tetrahedron of
-  /// the shape and how many more there are; fills the achieved extremes and the decision counts.
+  /// the shape and how many more there are; fills the achieved extremes, the shapes and the decision
+  /// counts.
   void judge(const StreamContext& context) const;
 
   /// Six times the sum of the signed volumes, in cubic units of the frame.

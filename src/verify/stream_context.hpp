@@ -16,7 +16,8 @@ struct StreamContext {
   MeshSource& source;
   MeshHead head;
   const StreamVerifyOptions& options;
-  Reporter& reporter;
+  StreamVerifyReport& report;
+  Reporter& reporter;  ///< of that report
   Pulse& pulse;
 };
 

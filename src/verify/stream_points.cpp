@@ -93,7 +93,10 @@ void compare_neighbors(const StreamContext& c, std::vector<HashedVertex>& part) 
 
 bool check_stream_points(const StreamContext& c) {
   PointCheck check(c);
-  for_each_point(c, [&](std::uint64_t v, const Vec3& p, std::uint8_t level) { check.check(v, p, level); });
+  for_each_point(c, [&](std::uint64_t v, const Vec3& p, std::uint8_t level) {
+    check.check(v, p, level);
+    c.report.bounds.extend(p);
+  });
   const std::uint64_t wrong = c.reporter.count("lattice");
   c.reporter.line(
       "lattice: " + grouped(c.head.vertices) + " lattice vertices; " +

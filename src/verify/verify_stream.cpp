@@ -93,7 +93,7 @@ void check_facets(const StreamContext& c, const TetPass& pass, PointPages& point
   if (c.options.inside) report_cover(c, facets.boundary);
   const BigInt six_volumes = pass.census().six_volumes();
   const double unit = c.head.frame.unit;
-  VerifyReport& report = c.reporter.report();
+  VerifyReport& report = c.report;
   report.volume = six_volumes.convert_to<double>() / 6 * unit * unit * unit;
   if (six_volumes != facets.six_volumes)
     c.reporter.find("volume", {}, [&] {
@@ -116,7 +116,7 @@ bool check_head(const StreamContext& c) {
     c.reporter.find("index", {}, [&] {
       return "there are " + grouped(c.head.vertices) + " vertices, more or less than can be";
     });
-  return c.reporter.report().ok;
+  return c.report.ok;
 }
 
 void run(const StreamContext& c) {
@@ -137,14 +137,15 @@ void run(const StreamContext& c) {
 }  // namespace
 }  // namespace verifier
 
-VerifyReport verify_stream(MeshSource& source, const StreamVerifyOptions& options, const Control& control) {
+StreamVerifyReport verify_stream(MeshSource& source, const StreamVerifyOptions& options,
+                                 const Control& control) {
   using namespace verifier;
-  VerifyReport report;
+  StreamVerifyReport report;
   Reporter reporter(report, options.max_findings);
   const MeshHead head = source.head();
   Pulse pulse(control, 2 * (head.vertices + head.tets), head.vertices, head.tets);
   try {
-    run({source, head, options, reporter, pulse});
+    run({source, head, options, report, reporter, pulse});
   } catch (const Cancelled&) {
     reporter.find("cancelled", {},
                   [] { return std::string("the verification was cancelled before its end"); });

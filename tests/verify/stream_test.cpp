@@ -64,7 +64,7 @@ Arrays lattice_mesh(int n) {
   return arrays;
 }
 
-VerifyReport judge(Arrays& arrays) {
+StreamVerifyReport judge(Arrays& arrays) {
   StreamVerifyOptions options;
   options.guarantee = QualityGuarantee{};
   options.inside = [](const Vec3& p) {
@@ -80,8 +80,14 @@ bool found(const VerifyReport& report, const std::string& check) {
 
 TEST(VerifyStream, AgreesWithTheJudgeOfArrays) {
   Arrays arrays = lattice_mesh(5);
-  const VerifyReport streamed = judge(arrays);
+  const StreamVerifyReport streamed = judge(arrays);
   EXPECT_EQ(streamed.checks.size(), 8u);
+  EXPECT_EQ(streamed.bounds.lo, (Vec3{0, 0, 0}));
+  EXPECT_EQ(streamed.bounds.hi, (Vec3{10, 10, 10}));
+  std::uint64_t tets = 0;
+  for (const TetShape& shape : streamed.shapes) tets += shape.tets;
+  EXPECT_EQ(tets, arrays.mesh.tets.size());
+  EXPECT_EQ(streamed.shapes.size(), 12u);
   VerifyOptions options;
   options.guarantee = QualityGuarantee{};
   const VerifyReport whole = verify(arrays.mesh, options);
