@@ -1,12 +1,14 @@
 #include "verify/stream_facets.hpp"
 
+#include <numeric>
+
 #include "verify/shape.hpp"
 
 namespace unsliver::verifier {
 namespace {
 
 constexpr std::uint64_t kBlock = 1024;                           // vertices
-constexpr std::uint64_t kMostInMemory = std::uint64_t{1} << 23;  // facets, 12 bytes each
+constexpr std::uint64_t kMostInMemory = std::uint64_t{1} << 22;  // facets, 24 bytes each; vertices
 constexpr std::array<std::array<int, 3>, 4> kFace{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// Corners in cyclic order seen from outside, the smallest first.
@@ -15,10 +17,6 @@ struct Half {
 
   VertexId low() const { return std::min(second, third); }
   std::uint64_t key() const { return std::uint64_t{low()} << 32 | std::max(second, third); }
-  bool same_facet(const Half& h) const { return smallest == h.smallest && key() == h.key(); }
-  friend bool operator<(const Half& a, const Half& b) {
-    return a.smallest != b.smallest ? a.smallest < b.smallest : a.key() < b.key();
-  }
 };
 
 /// Calls visit(half) for the four facets.
@@ -35,18 +33,35 @@ class Matcher {
   Matcher(const StreamContext& context, PointPages& points)
       : c_(context), points_(points), origin_(points[0]) {}
 
-  void match(std::vector<Half>& halves) {
-    std::sort(halves.begin(), halves.end());
-    for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
-      while (end < halves.size() && halves[end].same_facet(halves[i])) ++end;
-      match({halves.data() + i, end - i});
-    }
+  /// Requires: their smallest vertices are in the range.
+  void match(const FacetMap::Range& range, const std::vector<Half>& halves) {
+    bucket(range, halves);
+    for (std::size_t v = 0, start = 0; v < end_.size(); start = end_[v++])
+      match_bucket({sorted_.data() + start, end_[v] - start});
   }
 
   FacetCounts counts() const { return counts_; }
 
  private:
-  void match(std::span<const Half> group) {
+  /// Sorts by the smallest vertex: those of vertex range.first + v end before end_[v].
+  void bucket(const FacetMap::Range& range, const std::vector<Half>& halves) {
+    std::vector<std::uint32_t> next(static_cast<std::size_t>(range.last - range.first) + 1);
+    for (const Half& h : halves) ++next[h.smallest - range.first + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    end_.assign(next.begin() + 1, next.end());
+    sorted_.resize(halves.size());
+    for (const Half& h : halves) sorted_[next[h.smallest - range.first]++] = h;
+  }
+
+  void match_bucket(std::span<Half> halves) {
+    std::sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) { return a.key() < b.key(); });
+    for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
+      while (end < halves.size() && halves[end].key() == halves[i].key()) ++end;
+      match_facet(halves.subspan(i, end - i));
+    }
+  }
+
+  void match_facet(std::span<const Half> group) {
     if (group.size() == 1) {
       ++counts_.boundary;
       counts_.six_volumes += cone(group[0]);
@@ -107,8 +122,17 @@ class Matcher {
   const StreamContext& c_;
   PointPages& points_;
   Row<std::int64_t> origin_;
+  std::vector<Half> sorted_;
+  std::vector<std::uint32_t> end_;
   FacetCounts counts_;
 };
+
+void find_crowd(const StreamContext& c, const FacetMap::Range& range) {
+  c.reporter.find("conformity", {}, [&] {
+    return "the vertices " + std::to_string(range.first) + " to " + std::to_string(range.last - 1) +
+           " are the smallest of " + grouped(range.facets) + " facets, more than can be held to be matched";
+  });
+}
 
 }  // namespace
 
@@ -129,7 +153,8 @@ std::vector<FacetMap::Range> FacetMap::ranges() const {
   std::vector<Range> ranges;
   for (std::uint64_t block = 0; block < facets_.size(); ++block) {
     const std::uint64_t more = facets_[block];
-    if (ranges.empty() || ranges.back().facets + more > kMostInMemory)
+    if (ranges.empty() || ranges.back().facets + more > kMostInMemory ||
+        ranges.back().last - ranges.back().first >= kMostInMemory)
       ranges.push_back({block * kBlock, block * kBlock, 0});
     ranges.back().last = (block + 1) * kBlock;
     ranges.back().facets += more;
@@ -146,6 +171,10 @@ FacetCounts match_stream_facets(const StreamContext& c, const FacetMap& map, Poi
   std::vector<Half> halves;
   TetChunk tets;
   for (const FacetMap::Range& range : map.ranges()) {
+    if (range.facets > kMostInMemory) {
+      find_crowd(c, range);
+      continue;
+    }
     halves.clear();
     halves.reserve(range.facets);
     for (std::uint64_t chunk = 0; chunk < chunk_count(c.head.tets); ++chunk) {
@@ -156,7 +185,7 @@ FacetCounts match_stream_facets(const StreamContext& c, const FacetMap& map, Poi
           if (range.first <= half.smallest && half.smallest < range.last) halves.push_back(half);
         });
     }
-    matcher.match(halves);
+    matcher.match(range, halves);
   }
   return matcher.counts();
 }

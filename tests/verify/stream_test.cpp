@@ -175,6 +175,15 @@ TEST(VerifyStream, FindsPlantedFaults) {
   }
 }
 
+/// All tetrahedra at one vertex: what is held is bounded all the same.
+TEST(VerifyStream, RefusesCrowdsOfFacets) {
+  Arrays arrays = lattice_mesh(2);
+  arrays.mesh.tets.assign(1'100'000, arrays.mesh.tets[0]);
+  const VerifyReport report = judge(arrays);
+  ASSERT_FALSE(report.findings.empty());
+  EXPECT_NE(report.findings.front().message.find("4,400,000 facets"), std::string::npos);
+}
+
 TEST(VerifyStream, FindsBadAngles) {
   Arrays arrays = lattice_mesh(5);
   StreamVerifyOptions options;
