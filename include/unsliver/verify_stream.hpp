@@ -40,12 +40,12 @@ struct StreamVerifyReport : VerifyReport {
   std::vector<TetShape> shapes;  ///< by their first tetrahedra; empty where not all could be read
 };
 
-/// Decides exactly, in bounded memory (about 300 MB): are all vertices where their levels say, no two at one
-/// place; all tetrahedra positive; the guarantee kept by all; each facet in one tetrahedron or on the two
-/// sides of two; the sum of the volumes what the facets in one enclose? And by samples, four a facet: is the
-/// domain nowhere just beyond a facet in one, where the mesh would have a hole? Tetrahedra that are equal but
-/// for their places are judged once: lattice meshes have some thousand shapes. Meshes with 2^20 or more are
-/// refused with a finding, and are for verify(). Never throws on a bad mesh.
+/// Decides exactly, in bounded memory (150 MB, for hostile files 400 MB): are all vertices where their levels
+/// say, no two at one place; all tetrahedra positive; the guarantee kept by all; each facet in one
+/// tetrahedron or on the two sides of two; the sum of the volumes what the facets in one enclose? And by
+/// samples, four a facet: is the domain nowhere just beyond a facet in one, where the mesh would have a hole?
+/// Tetrahedra that are equal but for their places are judged once: lattice meshes have some thousand shapes.
+/// Meshes with 2^20 or more are refused with a finding, and are for verify(). Never throws on a bad mesh.
 StreamVerifyReport verify_stream(MeshSource& source, const StreamVerifyOptions& options,
                                  const Control& control = {});
 
