@@ -77,8 +77,8 @@ struct MeshStats {
 };
 
 struct MeshResult {
-  MeshStatus status =
-      MeshStatus::kDone;  ///< other than kDone: a valid Delaunay superset mesh, guarantees not reached
+  MeshStatus status = MeshStatus::kDone;  ///< other than kDone: a valid Delaunay superset mesh, guarantees
+                                          ///< not reached; empty with kOctree
   TetMesh mesh;
   MeshStats stats;
   std::vector<std::string> notes;  ///< on the input vertices: duplicates, points outside the domain

@@ -17,6 +17,9 @@ class Guest {
   virtual void on_forest(Forest& forest) = 0;
   /// Is a tetrahedron of the forest's points (world) still one beside the guest's? Asked from all threads.
   virtual bool keeps(const Tet& t) const = 0;
+  /// How many tetrahedra the guest will add, and what he holds.
+  virtual std::uint64_t tet_count() const = 0;
+  virtual std::uint64_t bytes() const = 0;
   /// How many numbers of vertices the guest wants before the forest's.
   virtual VertexId vertex_count() const = 0;
   /// Vertex `number` is the point p (world) that the leaf owns; returns its level. Called from all threads.

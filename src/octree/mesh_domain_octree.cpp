@@ -143,7 +143,8 @@ class Run {
   }
 
   void check_caps() {
-    if (options_.max_tets != 0 && emission_->tet_count() > options_.max_tets)
+    const std::uint64_t of_guest = guest_ != nullptr ? guest_->tet_count() : 0;
+    if (options_.max_tets != 0 && emission_->tet_count() + of_guest > options_.max_tets)
       throw Stopped{OctreeStatus::kTetCap};
   }
 
@@ -172,6 +173,7 @@ class Run {
   }
 
   void require_bytes(std::uint64_t bytes) {
+    if (guest_ != nullptr) bytes += guest_->bytes();
     stats_.peak_bytes = std::max(stats_.peak_bytes, bytes);
     if (options_.max_bytes != 0 && bytes > options_.max_bytes) throw Stopped{OctreeStatus::kMemoryCap};
   }

@@ -5,15 +5,16 @@
 #include "lattice/parents.hpp"
 #include "refine/guarantees.hpp"
 #include "refine/size_enforcement.hpp"
+#include "unsliver/error.hpp"
 
 namespace unsliver::refine {
 
 namespace {
 
-/// In spacings of SC_45. All that matters lies within: a tetrahedron that meets the domain has, unless all
-/// its corners are of SC_45, a finest spacing of at most 2^44 and R <= sqrt(5)/2 times that. So its corners
-/// lie within 3.3 * 2^44 of the origin, and its finest corner's parents within 4.3 * 2^44. (The domain itself
-/// stays within 2^44 (1 + 2^-4); see World::fit.)
+/// In spacings of SC_45. A ball that meets the domain, which stays within 0.51 spacings of the origin, and
+/// holds no point of SC_45 within 3 spacings has a radius of at most 0.87 spacings. So the corners of
+/// tetrahedra that meet the domain lie within 2.3 spacings, and as parents of points not in SC_45 are at most
+/// half a spacing away along each axis, those of their corners within 2.8.
 constexpr int kTopReach = 3;
 constexpr double kFarthest = kTopReach * 0x1p45;
 
@@ -33,6 +34,10 @@ class Closure {
     made_.clear();
     const Vec3 w = search.point_for(ball).w;
     insert(w, kClosureC * ball.size + dist(w, ball.center));
+    if (made_.empty())
+      throw Error(
+          ErrorCode::kInternal,
+          "an empty ball holds the point to be inserted: this is a bug in unsliver, please report it");
     ++r_.stats().size_insertions;
     return made_.span();
   }

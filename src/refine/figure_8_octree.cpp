@@ -20,7 +20,7 @@ constexpr double kReachWithCenter = 0.56, kReach = 0.87;
 /// Labels of the forest's vertices are SC_{k-2} or coarser, k the exponent of the smallest leaf there: the
 /// smaller the region, the fewer vertices are removed and must be made up for, but the more slivers remain
 /// between them and the input vertices. (SC_{k-1} takes twice, SC_{k-3} 1.6 times the vertices.)
-constexpr Level finest_label(int leaf_exponent) { return 2 * (leaf_exponent - 2) + 1; }
+constexpr int kFinerLabel = 2;
 /// The certificates of inequality (1): any function will do for lfs that varies no faster than distance does.
 /// Here it is, next to lfs_i, the least of kBulkShare sides of a leaf plus the distance to it; SC_{k-2} may
 /// use 88.18 / 4 of them.
@@ -41,10 +41,7 @@ class InputGuest final : public octree::Guest {
 
   bool keeps(const Tet& t) const override {
     return std::none_of(t.begin(), t.end(), [this](const Vec3& p) { return is_removed(p); }) &&
-           !holds(*guest_tree_, circumsphere(t), [&](const Vec3& q) {
-             exact::StageCounts counts;
-             return exact::insphere_perturbed(t[0], t[1], t[2], t[3], q, counts) > 0;
-           });
+           !holds(*guest_tree_, circumsphere(t), [&](const Vec3& q) { return conflicts(t, q); });
   }
 
   VertexId vertex_count() const override { return first_bulk_; }
@@ -59,6 +56,9 @@ class InputGuest final : public octree::Guest {
     const bool fits = (leaf.flags & octree::kRemote) != 0 || r_.inputs().region_is_empty(p, coarse);
     return static_cast<std::uint8_t>(fits ? coarse : label_of(p, *bulk_->exponent_at(p)));
   }
+
+  std::uint64_t tet_count() const override { return kept_.size(); }
+  std::uint64_t bytes() const override { return r_.mesh().bytes(); }
 
   void complete(TetMesh& mesh) override {
     for (VertexId v = 1; v < number_.size(); ++v) {
@@ -89,6 +89,9 @@ class InputGuest final : public octree::Guest {
   bool is_removed(const Vec3& p) const {
     return std::binary_search(removed_.begin(), removed_.end(), p, lex_less);
   }
+  Level finest_label(int leaf_exponent) const {
+    return std::max(2 * (leaf_exponent - kFinerLabel) + 1, r_.world().finest_level());
+  }
   Level label_of(const Vec3& p, int leaf_exponent) const {
     return r_.inputs().coarsest_label(p, finest_label(leaf_exponent));
   }
@@ -111,12 +114,41 @@ class InputGuest final : public octree::Guest {
   void refine() {
     for (TetId t = 0; t < r_.mesh().slot_count(); ++t) pending_.push_back(queued(r_, t));
     settle();
+    for (const Vec3& removed : removed_) complete_star(removed);
     while (const auto next = queue_.pop()) {
       if (!still_there(r_, *next)) continue;
       enforce_quality(r_, next->slot);
       note_insertion(true);
       settle();
     }
+  }
+
+  /// Tetrahedra without guests that conflict with a removed point are right, but some may be missing: where
+  /// the kernel lacks a vertex, it has others in their place that conflict with nothing. None is missing once
+  /// all vertices of the forest that the removed point would be joined to are there. Insertions to come
+  /// join it to no others.
+  void complete_star(const Vec3& removed) {
+    while (const auto p = missing_neighbour(removed)) {
+      lift(*p, r_.mesh().locate(removed));
+      settle();
+    }
+  }
+
+  /// A vertex of the forest, not lifted, in conflict with a tetrahedron of the star that a removed point
+  /// would have in the kernel.
+  std::optional<Vec3> missing_neighbour(const Vec3& removed) {
+    const TetId t = r_.mesh().locate(removed);
+    if (r_.mesh().corner_at(t, removed) != kNoVertex) return std::nullopt;
+    std::optional<Vec3> missing;
+    r_.mesh().carve(removed, t);
+    for (const auto& facet : r_.mesh().boundary()) {
+      if (missing) break;
+      if (facet.v[2] == delaunay::kInfinite) continue;
+      missing = bulk_in_conflict(Tet{r_.mesh().point(facet.v[0]), r_.mesh().point(facet.v[1]),
+                                     r_.mesh().point(facet.v[2]), removed});
+    }
+    r_.mesh().abandon();
+    return missing;
   }
 
   void note_insertion(bool guest) {
@@ -135,7 +167,7 @@ class InputGuest final : public octree::Guest {
   void settle(const Queued& entry) {
     const TetId t = entry.slot;
     if (!concerns_guests(t)) return;
-    if (const auto p = bulk_in_conflict(t)) return lift(*p, t);
+    if (const auto p = bulk_in_conflict(r_.mesh().corners(t))) return lift(*p, t);
     if (!r_.meets_domain(t)) return;
     if (const auto ball = search_.find(t, 0)) {
       pending_.push_back(entry);  // it may survive
@@ -147,31 +179,37 @@ class InputGuest final : public octree::Guest {
   bool concerns_guests(TetId t) const {
     for (const VertexId v : r_.mesh().tet(t).v)
       if (is_guest_[v - 1]) return true;
-    return !removed_.empty() && holds(*removed_tree_, circumsphere(r_.mesh().corners(t)),
-                                      [&](const Vec3& p) { return conflicts(t, p); });
+    const Tet corners = r_.mesh().corners(t);
+    return !removed_.empty() &&
+           holds(*removed_tree_, circumsphere(corners), [&](const Vec3& p) { return conflicts(corners, p); });
   }
 
-  bool conflicts(TetId t, const Vec3& p) const {
-    return r_.mesh().corner_at(t, p) == kNoVertex && r_.mesh().in_conflict(t, p);
+  static bool conflicts(const Tet& t, const Vec3& p) {
+    exact::StageCounts counts;
+    return std::find(t.begin(), t.end(), p) == t.end() &&
+           exact::insphere_perturbed(t[0], t[1], t[2], t[3], p, counts) > 0;
   }
+
+  /// Points farther than this from the centre are not in conflict, ties included: the centre is rounded.
+  static double reach_of(const geom::Sphere& sphere) { return std::sqrt(sphere.radius_sq) * (1 + 1e-8) + 1; }
 
   /// Does any point of the tree that may lie in the sphere pass the test?
   template <class Test>
   static bool holds(const geom::PointTree& tree, const geom::Sphere& sphere, const Test& test) {
-    const double radius_sq = sphere.radius_sq * (1 + 1e-8);
+    const double reach = reach_of(sphere);
     bool found = false;
-    tree.visit_cube(sphere.center, std::sqrt(radius_sq), [&](VertexId, const Vec3& p) {
-      return found = dist_sq(p, sphere.center) <= radius_sq && test(p);
+    tree.visit_cube(sphere.center, reach, [&](VertexId, const Vec3& p) {
+      return found = dist_sq(p, sphere.center) <= reach * reach && test(p);
     });
     return found;
   }
 
-  std::optional<Vec3> bulk_in_conflict(TetId t) const {
-    const geom::Sphere sphere = circumsphere(r_.mesh().corners(t));
-    const double radius_sq = sphere.radius_sq * (1 + 1e-8);
+  std::optional<Vec3> bulk_in_conflict(const Tet& t) const {
+    const geom::Sphere sphere = circumsphere(t);
+    const double reach = reach_of(sphere);
     std::optional<Vec3> found;
-    bulk_->visit_ball(sphere.center, std::sqrt(radius_sq), [&](const Vec3& p) {
-      if (dist_sq(p, sphere.center) > radius_sq || !conflicts(t, p) || is_removed(p)) return false;
+    bulk_->visit_ball(sphere.center, reach, [&](const Vec3& p) {
+      if (dist_sq(p, sphere.center) > reach * reach || !conflicts(t, p) || is_removed(p)) return false;
       found = p;
       return true;
     });
@@ -196,7 +234,7 @@ class InputGuest final : public octree::Guest {
     if (!found)
       if (const Vec3 w = search_.point_for(ball).w; bulk_->exponent_at(w) && !is_removed(w)) found = w;
     if (found) return lift(*found, t);
-    insert_for_size(r_, search_, ball, t);
+    insert_for_size(r_, search_, ball, t);  // throws where the point is there already
     note_insertion(true);
   }
   bool is_lifted(const Vec3& p, TetId near) const {
