@@ -32,7 +32,8 @@ TEST(Closure, TheParentsOfEveryVertexAreVertices) {
   for (const double gradation : {0.0, 0.1, 0.7}) {
     SCOPED_TRACE(gradation);
     const SizingPtr size = shell(0.05, gradation, *ball);
-    Refinement r(*ball, *size, {}, options, {});
+    const Control control;
+    Refinement r(*ball, *size, {}, options, control);
     closure(r);
     std::size_t parents = 0;
     for (VertexId v = 1; v <= r.mesh().vertex_count(); ++v) {

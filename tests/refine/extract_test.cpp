@@ -17,7 +17,8 @@ TEST(Extract, KeepsTheVerticesOfProofs) {
   const SizingPtr size = constant_size(0.3);
   MeshOptions options;
   options.strategy = Strategy::kClosure;
-  Refinement r(*ball, *size, {}, options, {});
+  const Control control;
+  Refinement r(*ball, *size, {}, options, control);
   closure(r);
   while (want_dropped_proofs(r)) continue;
   const TetMesh before = extract_superset(r);
