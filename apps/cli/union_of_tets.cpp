@@ -1,39 +1,11 @@
 #include "union_of_tets.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace unsliver::cli {
 namespace {
 
 using Triangle = std::array<VertexId, 3>;
-
-struct Facet {
-  Triangle sorted;
-  Triangle outward;
-};
-
-bool is_inverted(const Tet& t) { return dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) < 0; }
-
-std::array<Triangle, 4> outward_facets(const TetMesh& mesh, std::size_t t) {
-  auto [a, b, c, d] = mesh.tets[t];
-  if (is_inverted(mesh.corners(t))) std::swap(c, d);
-  return {{{b, c, d}, {a, d, c}, {a, b, d}, {a, c, b}}};
-}
-
-/// All facets, equal ones side by side.
-std::vector<Facet> sorted_facets(const TetMesh& mesh) {
-  std::vector<Facet> facets;
-  facets.reserve(4 * mesh.tets.size());
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    for (const Triangle& outward : outward_facets(mesh, t)) {
-      Triangle sorted = outward;
-      std::sort(sorted.begin(), sorted.end());
-      facets.push_back({sorted, outward});
-    }
-  std::sort(facets.begin(), facets.end(), [](const Facet& f, const Facet& g) { return f.sorted < g.sorted; });
-  return facets;
-}
 
 template <typename Simplices>
 std::vector<VertexId> ids_in(const Simplices& simplices, std::size_t point_count) {
@@ -64,15 +36,6 @@ TriangleMesh compact(const std::vector<Vec3>& points, std::vector<Triangle> tria
 
 std::vector<VertexId> used_vertices(const TetMesh& mesh) { return ids_in(mesh.tets, mesh.points.size()); }
 
-TriangleMesh boundary_surface(const TetMesh& mesh) {
-  const std::vector<Facet> facets = sorted_facets(mesh);
-  std::vector<Triangle> boundary;
-  for (auto f = facets.begin(); f != facets.end();) {
-    const auto next = std::find_if(f, facets.end(), [&](const Facet& g) { return g.sorted != f->sorted; });
-    if (next - f == 1) boundary.push_back(f->outward);
-    f = next;
-  }
-  return compact(mesh.points, std::move(boundary));
-}
+TriangleMesh boundary_surface(const TetMesh& mesh) { return compact(mesh.points, boundary_facets(mesh)); }
 
 }  // namespace unsliver::cli

@@ -46,6 +46,10 @@ struct TetMesh {
   }
 };
 
+/// The facets of exactly one tetrahedron, outward by the right hand where it has a volume, in order of their
+/// sorted vertices. Any mesh with valid indices will do, inverted tetrahedra included. O(n log n).
+std::vector<std::array<VertexId, 3>> boundary_facets(const TetMesh& mesh);
+
 /// A triangle surface or soup. Indices are valid; nothing else is promised (it may be open, crossed, ...).
 struct TriangleMesh {
   std::vector<Vec3> points;

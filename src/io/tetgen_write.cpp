@@ -1,6 +1,5 @@
 /// \file
 /// TetGen .node, .ele and .face.
-#include "io/boundary_facets.hpp"
 #include "io/output.hpp"
 #include "io/writers.hpp"
 

@@ -30,7 +30,7 @@ class Background final : public Sizing {
       : field_(std::move(field)),
         boxes_(tet_boxes(field_.mesh)),
         tree_(boxes_),
-        boundary_(sizing::boundary_of(field_.mesh), field_.values) {
+        boundary_({field_.mesh.points, boundary_facets(field_.mesh), {}}, field_.values) {
     std::vector<double> least;
     for (std::size_t t = 0; t < boxes_.size(); ++t) {
       const auto values = corner_values(t);
@@ -173,7 +173,7 @@ void check_field(const NodalField& field) {
 
 SizingPtr background_size(NodalField field) {
   check_field(field);
-  if (sizing::boundary_of(field.mesh).triangles.empty())
+  if (boundary_facets(field.mesh).empty())
     throw Error(ErrorCode::kBadInput,
                 "The background mesh has no boundary: each of its tetrahedra is there more than once.");
   return std::make_shared<Background>(std::move(field));

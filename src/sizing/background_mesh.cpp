@@ -11,22 +11,6 @@ constexpr double kFlat = 1e-10;  // sine of the largest inward bend that roundin
 
 using Corners = std::array<VertexId, 3>;
 
-struct Face {
-  Corners sorted;
-  Corners outward;
-};
-
-Face face_of(const TetMesh& mesh, const std::array<VertexId, 4>& tet, int opposite) {
-  Corners f;
-  for (int i = 0, n = 0; i < 4; ++i)
-    if (i != opposite) f[n++] = tet[i];
-  const Vec3 &a = mesh.points[f[0]], &b = mesh.points[f[1]], &c = mesh.points[f[2]];
-  if (dot(cross(b - a, c - a), mesh.points[tet[opposite]] - a) > 0) std::swap(f[1], f[2]);
-  Face face{f, f};
-  std::sort(face.sorted.begin(), face.sorted.end());
-  return face;
-}
-
 /// An edge of a triangle: its ends in increasing order, and where it comes from.
 struct Edge {
   std::array<VertexId, 2> ends;
@@ -80,21 +64,6 @@ class Components {
 };
 
 }  // namespace
-
-TriangleMesh boundary_of(const TetMesh& mesh) {
-  std::vector<Face> faces;
-  faces.reserve(4 * mesh.tets.size());
-  for (const auto& tet : mesh.tets)
-    for (int i = 0; i < 4; ++i) faces.push_back(face_of(mesh, tet, i));
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
-  TriangleMesh boundary;
-  boundary.points = mesh.points;
-  for (std::size_t i = 0, next; i < faces.size(); i = next) {
-    for (next = i + 1; next < faces.size() && faces[next].sorted == faces[i].sorted;) ++next;
-    if (next == i + 1) boundary.triangles.push_back(faces[i].outward);
-  }
-  return boundary;
-}
 
 bool is_convex(const TriangleMesh& boundary) {
   const std::vector<Edge> edges = sorted_edges(boundary);

@@ -1,5 +1,3 @@
-#include "io/boundary_facets.hpp"
-
 #include <random>
 #include <set>
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <random>
 
-#include "io/boundary_facets.hpp"
 #include "io_test_util.hpp"
 #include "unsliver/io.hpp"
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <random>
 
 #include "unsliver/refine.hpp"
@@ -67,23 +66,6 @@ TetMesh turned_bricks(std::uint64_t seed) {
   return mesh;
 }
 
-/// The facets of one tetrahedron only, seen from outside.
-TriangleMesh boundary_of(const TetMesh& mesh) {
-  using Triangle = std::array<VertexId, 3>;
-  std::map<Triangle, Triangle> single;
-  for (const auto& [a, b, c, d] : mesh.tets)
-    for (const Triangle& facet :
-         {Triangle{b, c, d}, Triangle{a, d, c}, Triangle{a, b, d}, Triangle{a, c, b}}) {
-      Triangle key = facet;
-      std::sort(key.begin(), key.end());
-      if (const auto [entry, is_new] = single.try_emplace(key, facet); !is_new) single.erase(entry);
-    }
-  TriangleMesh surface;
-  surface.points = mesh.points;
-  for (const auto& [key, facet] : single) surface.triangles.push_back(facet);
-  return surface;
-}
-
 std::vector<Vec3> samples_of(const TriangleMesh& surface, std::size_t count) {
   Random random(1);
   std::vector<Vec3> samples;
@@ -119,7 +101,7 @@ struct Demand {
 
 /// Refines and verifies. Returns how many samples would lie in overlaps if none was excused.
 std::uint64_t refine_and_verify(const TetMesh& bricks, const Demand& demand) {
-  const TriangleMesh surface = boundary_of(bricks);
+  const TriangleMesh surface{bricks.points, boundary_facets(bricks), {}};
   MeshOptions options;
   options.min_dihedral_deg = demand.min_deg;
   options.max_dihedral_deg = demand.max_deg;

@@ -126,7 +126,9 @@ TEST(BackgroundSize, DoubledTetrahedraAreRefused) {
 }
 
 TEST(BackgroundMesh, TellsConvexFromOther) {
-  const auto is_convex = [](const TetMesh& m) { return sizing::is_convex(sizing::boundary_of(m)); };
+  const auto is_convex = [](const TetMesh& m) {
+    return sizing::is_convex({m.points, boundary_facets(m), {}});
+  };
   EXPECT_TRUE(is_convex(cube_mesh(1)));
   EXPECT_TRUE(is_convex(cube_mesh(3)));
   EXPECT_FALSE(is_convex(kuhn_mesh(2, [](VertexId i, VertexId j, VertexId k) { return i + j + k == 0; })));
@@ -134,7 +136,7 @@ TEST(BackgroundMesh, TellsConvexFromOther) {
   EXPECT_FALSE(is_convex(kuhn_mesh(3, [](VertexId i, VertexId j, VertexId k) {
     return i == 1 && j == 1 && k == 1;
   }))) << "a hole inside";
-  EXPECT_EQ(sizing::boundary_of(cube_mesh(3)).triangles.size(), 6u * 9 * 2);
+  EXPECT_EQ(boundary_facets(cube_mesh(3)).size(), 6u * 9 * 2);
 }
 
 TEST(BackgroundSize, NamesTheBadVertex) {
