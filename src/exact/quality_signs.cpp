@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include "exact/integer_rows.hpp"
 #include "exact/shape.hpp"
@@ -64,8 +65,9 @@ int bits_of(const Bound& b) {
 }
 
 /// L^4.
-double scale_of(const DoubleShape& shape) {
-  const double l = shape.longest();
+template <class Real>
+Real scale_of(const Shape<Real, Real, Real>& shape) {
+  const Real l = shape.longest();
   return (l * l) * (l * l);
 }
 
@@ -128,21 +130,61 @@ bool is_bad_shape(const AnyShape& shape, const QualityBounds& bounds) {
 /// Is the tetrahedron bad, as far as doubles can tell?
 enum class Verdict { kGood, kBad, kUnknown };
 
-Verdict filtered_verdict(const DoubleShape& shape, double scale, const QualityBounds& bounds) {
-  const double ratio = shape.ratio_excess(Coefficients<double>(bounds.max_radius_edge));
-  const double ratio_error = kRatioError * size_of(bounds.max_radius_edge) * scale;
-  if (ratio > ratio_error) return Verdict::kBad;
-  const Coefficients<double> min(bounds.min_dihedral), max(bounds.max_dihedral);
-  double below = -std::numeric_limits<double>::infinity(), above = below;
-  shape.for_each_pair([&](const FacePair<double>& pair) {
-    below = std::max(below, -pair.excess(min));
-    above = std::max(above, pair.excess(max));
+/// What the filter computes: how far the worst of each kind is beyond its bound.
+template <class Real>
+struct Excesses {
+  Real scale, radius_sq, ratio, below, above;
+};
+
+template <class Real>
+Excesses<Real> excesses(const Shape<Real, Real, Real>& shape, const QualityBounds& bounds) {
+  using std::max;
+  const Coefficients<Real> least(bounds.min_dihedral), most(bounds.max_dihedral);
+  Real below(-std::numeric_limits<double>::infinity()), above = below;
+  shape.for_each_pair([&](const FacePair<Real>& pair) {
+    below = max(below, -pair.excess(least));
+    above = max(above, pair.excess(most));
   });
-  const double below_error = kAngleError * size_of(bounds.min_dihedral) * scale;
-  const double above_error = kAngleError * size_of(bounds.max_dihedral) * scale;
-  if (below < -below_error && above < -above_error && ratio < -ratio_error) return Verdict::kGood;
-  if (below > below_error || above > above_error) return Verdict::kBad;
+  return {scale_of(shape), Real(0.25) * shape.center_sq() / shape.det_sq(),
+          shape.ratio_excess(Coefficients<Real>(bounds.max_radius_edge)), below, above};
+}
+
+Verdict filtered_verdict(const Excesses<double>& x, const QualityBounds& bounds) {
+  const double ratio_error = kRatioError * size_of(bounds.max_radius_edge) * x.scale;
+  const double below_error = kAngleError * size_of(bounds.min_dihedral) * x.scale;
+  const double above_error = kAngleError * size_of(bounds.max_dihedral) * x.scale;
+  if (x.below < -below_error && x.above < -above_error && x.ratio < -ratio_error) return Verdict::kGood;
+  if (x.ratio > ratio_error || x.below > below_error || x.above > above_error) return Verdict::kBad;
   return Verdict::kUnknown;
+}
+
+/// Edge vector e_i of each.
+Row<Lanes> edge(std::span<const Tet, 4> t, std::size_t i) {
+  const auto lanes = [t, i](double Vec3::*x) {
+    return Lanes(t[0][i].*x - t[0][3].*x, t[1][i].*x - t[1][3].*x, t[2][i].*x - t[2][3].*x,
+                 t[3][i].*x - t[3][3].*x);
+  };
+  return {lanes(&Vec3::x), lanes(&Vec3::y), lanes(&Vec3::z)};
+}
+
+UNSLIVER_WIDEST_LANES void excesses_of_four(std::span<const Tet, 4> t, const QualityBounds& bounds,
+                                            Excesses<Lanes>& result) {
+  result = excesses(LanesShape(Edges<Lanes>{edge(t, 0), edge(t, 1), edge(t, 2)}), bounds);
+}
+
+Judgement judgement(const Tet& t, const Excesses<double>& x, const QualityBounds& bounds,
+                    StageCounts& counts) {
+  const Verdict verdict = filtered_verdict(x, bounds);
+  if (verdict != Verdict::kUnknown) {
+    ++counts.filter;
+    return {verdict == Verdict::kBad, x.radius_sq};
+  }
+  const auto& [min, max, ratio] = bounds;
+  const bool bad =
+      decide_exactly({edges_of(t), x.scale, std::max({size_of(min), size_of(max), size_of(ratio)}),
+                      std::max({bits_of(min), bits_of(max), bits_of(ratio)})},
+                     counts, [&bounds](const auto& exact) { return is_bad_shape(exact, bounds); });
+  return {bad, x.radius_sq};
 }
 
 }  // namespace
@@ -161,20 +203,21 @@ int compare_radius_edge(const Tet& t, const RatioBound& bound, StageCounts& coun
 }
 
 Judgement judge(const Tet& t, const QualityBounds& bounds, StageCounts& counts) {
-  const Edges<double> edges = edges_of(t);
-  const DoubleShape shape(edges);
-  const double scale = scale_of(shape), radius_sq = 0.25 * shape.center_sq() / shape.det_sq();
-  const Verdict verdict = filtered_verdict(shape, scale, bounds);
-  if (verdict != Verdict::kUnknown) {
-    ++counts.filter;
-    return {verdict == Verdict::kBad, radius_sq};
+  return judgement(t, excesses(DoubleShape(edges_of(t)), bounds), bounds, counts);
+}
+
+void judge(std::span<const Tet> tets, const QualityBounds& bounds, StageCounts& counts,
+           std::span<Judgement> judgements) {
+  assert(tets.size() == judgements.size());
+  std::size_t t = 0;
+  for (; t + Lanes::kCount <= tets.size(); t += Lanes::kCount) {
+    Excesses<Lanes> x;
+    excesses_of_four(tets.subspan(t).first<Lanes::kCount>(), bounds, x);
+    for (std::size_t i = 0; i < Lanes::kCount; ++i)
+      judgements[t + i] = judgement(
+          tets[t + i], {x.scale[i], x.radius_sq[i], x.ratio[i], x.below[i], x.above[i]}, bounds, counts);
   }
-  const auto& [min, max, ratio] = bounds;
-  const bool bad =
-      decide_exactly({edges, scale, std::max({size_of(min), size_of(max), size_of(ratio)}),
-                      std::max({bits_of(min), bits_of(max), bits_of(ratio)})},
-                     counts, [&bounds](const auto& exact) { return is_bad_shape(exact, bounds); });
-  return {bad, radius_sq};
+  for (; t < tets.size(); ++t) judgements[t] = judge(tets[t], bounds, counts);
 }
 
 }  // namespace unsliver::exact

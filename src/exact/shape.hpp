@@ -19,6 +19,7 @@
 #include <type_traits>
 
 #include "exact/determinants.hpp"
+#include "exact/lanes.hpp"
 #include "exact/quality_signs.hpp"
 #include "exact/wide_int.hpp"
 
@@ -32,8 +33,9 @@ constexpr Two dot_product(const Row<One>& a, const Row<One>& b) {
 /// v |v|, in a type that holds it.
 template <class Square, class T>
 Square signed_square(const T& v) {
-  if constexpr (std::is_same_v<T, double>) {
-    return v * std::abs(v);
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Lanes>) {
+    using std::abs;
+    return v * abs(v);
   } else {
     const Square square = Square(v) * Square(v);
     return sign_of(v) < 0 ? -square : square;
@@ -118,10 +120,12 @@ class Shape {
 
   /// The smallest and the largest squared edge.
   constexpr Two shortest() const {
-    return std::min(std::min(std::min(l0_, l1_), std::min(l2_, l01())), std::min(l02(), l12()));
+    using std::min;
+    return min(min(min(l0_, l1_), min(l2_, l01())), min(l02(), l12()));
   }
   constexpr Two longest() const {
-    return std::max(std::max(std::max(l0_, l1_), std::max(l2_, l01())), std::max(l02(), l12()));
+    using std::max;
+    return max(max(max(l0_, l1_), max(l2_, l01())), max(l02(), l12()));
   }
 
  private:
@@ -144,6 +148,7 @@ class Shape {
   Four g00_, g11_, g22_, g01_, g02_, g12_, g03_, g13_, g23_, g33_;  ///< n_i . n_j
 };
 
+using LanesShape = Shape<Lanes, Lanes, Lanes>;
 using DoubleShape = Shape<double, double, double>;
 using MediumShape = Shape<std::int64_t, std::int64_t, Int128>;
 using WideShape = Shape<Int128, Int256, Int512>;

@@ -136,6 +136,42 @@ void enforce_quality_literally(Refinement& r, TetId t) {
   bad.v == kNoVertex ? case_3(r, bad) : case_1(r, bad);
 }
 
+/// The bad tetrahedra that wait for the thrifty strategy, by circumradius.
+class BadTets {
+ public:
+  explicit BadTets(Refinement& r) : r_(r) {}
+
+  void push_if_bad(std::span<const TetId> tets) {
+    finite_.clear();
+    corners_.clear();
+    for (const TetId t : tets) {
+      if (!r_.mesh().is_finite(t)) continue;
+      finite_.push_back(t);
+      corners_.push_back(r_.mesh().corners(t));
+    }
+    judgements_.resize(finite_.size());
+    r_.judge(corners_, judgements_);
+    for (std::size_t i = 0; i < finite_.size(); ++i)
+      if (judgements_[i].is_bad) queue_.push(queued(r_, finite_[i]), judgements_[i].radius_sq);
+  }
+
+  /// The next one that is still there.
+  std::optional<TetId> pop() {
+    while (const auto next = queue_.pop()) {
+      prefetch(r_, queue_.peer_count(), [this](std::size_t turns) { return queue_.peer(turns); });
+      if (still_there(r_, *next)) return next->slot;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Refinement& r_;
+  RadiusQueue queue_;
+  std::vector<TetId> finite_;  ///< scratch, as the next two
+  std::vector<Tet> corners_;
+  std::vector<exact::Judgement> judgements_;
+};
+
 }  // namespace
 
 /// The certificate is all that termination needs, so the levels go down as far as the world's.
@@ -159,16 +195,12 @@ void figure_8_thrifty(Refinement& r) {
 
 void figure_8_quality(Refinement& r) {
   r.enter_phase("quality");
-  RadiusQueue queue;
-  const auto push_if_bad = [&](TetId t) {
-    if (!r.mesh().is_finite(t)) return;
-    if (const auto [is_bad, radius_sq] = r.judge(t); is_bad) queue.push(queued(r, t), radius_sq);
-  };
-  for (TetId t = 0; t < r.mesh().slot_count(); ++t) push_if_bad(t);
-  while (const auto next = queue.pop()) {
-    if (!still_there(r, *next) || !r.meets_domain(next->slot)) continue;
-    enforce_quality(r, next->slot);
-    for (const TetId made : r.created()) push_if_bad(made);
+  BadTets bad(r);
+  for (TetId t = 0; t < r.mesh().slot_count(); ++t) bad.push_if_bad({&t, 1});
+  while (const auto next = bad.pop()) {
+    if (!r.meets_domain(*next)) continue;
+    enforce_quality(r, *next);
+    bad.push_if_bad(r.created());
   }
 }
 

@@ -79,7 +79,7 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
   size_floor_ = std::clamp(sizing.lower_bound(caller_bounds_) / world_.unit(), finest, size_cap_);
   if (lipschitz_ == 0) constant_size_ = size_floor_;
   last_report_ = phase_start_ = std::chrono::steady_clock::now();
-  add_vertex_arrays(0, 0);  // the vertex at infinity
+  add_notes(0, 0);  // the vertex at infinity
   start_from_cube();
   insert_inputs();
 }
@@ -92,7 +92,7 @@ void Refinement::start_from_cube() {
     const Vec3 corner{i & 1 ? kCubeCorner : -kCubeCorner, i & 2 ? kCubeCorner : -kCubeCorner,
                       i & 4 ? kCubeCorner : -kCubeCorner};
     mesh_.insert(corner);
-    add_vertex_arrays(inputs_.coarsest_label(corner, lattice::kMinLevel), lfs_bound);
+    add_notes(inputs_.coarsest_label(corner, lattice::kMinLevel), lfs_bound);
   }
 }
 
@@ -104,7 +104,7 @@ void Refinement::insert_inputs() {
   const std::vector<VertexId> vertices = mesh_.insert_all(places);
   for (VertexId site = 0; site < places.size(); ++site) {
     site_of_vertex_[vertices[site] - first_input_] = site;
-    add_vertex_arrays(kNoLabel, std::numeric_limits<double>::infinity());
+    add_notes(kNoLabel, std::numeric_limits<double>::infinity());
     if (!lies_outside(site)) continue;
     outside_[vertices[site] - first_input_] = true;
     ++outside_count_;
@@ -127,20 +127,17 @@ bool Refinement::has_outside_input(TetId t) const {
 
 bool Refinement::has_wanted(TetId t) const {
   return any_wanted_ && std::any_of(mesh_.tet(t).v, mesh_.tet(t).v + 4,
-                                    [this](VertexId v) { return (proofs_[v] & kWanted) != 0; });
+                                    [this](VertexId v) { return (notes_[v].proofs & kWanted) != 0; });
 }
 
-void Refinement::add_vertex_arrays(Level label, double lfs_bound) {
-  labels_.push_back(static_cast<std::uint8_t>(label));
-  lfs_bounds_.push_back(rounded_up(lfs_bound));
-  clearances_.push_back(kUnknown);
-  proofs_.push_back(0);
+void Refinement::add_notes(Level label, double lfs_bound) {
+  notes_.push_back({rounded_up(lfs_bound), kUnknown, static_cast<std::uint8_t>(label), 0});
 }
 
 VertexId Refinement::finest_corner(TetId t) const {
   VertexId finest = kNoVertex;
   for (const VertexId v : mesh_.tet(t).v)
-    if (!is_input(v) && (finest == kNoVertex || labels_[v] < labels_[finest])) finest = v;
+    if (!is_input(v) && (finest == kNoVertex || label(v) < label(finest))) finest = v;
   return finest;
 }
 
@@ -149,25 +146,27 @@ Tet Refinement::to_caller(const Tet& t) const {
 }
 
 double Refinement::clearance(VertexId v) {
-  float& known = clearances_[v];
+  float& known = notes_[v].clearance;
   if (std::isnan(known))
     known = rounded_towards_zero(domain_.clearance(world_.to_caller(mesh_.point(v))) / world_.unit() *
                                  (1 - 1e-12));
   return known;
 }
 
-/// Most tetrahedra lie in the ball about one of their corners that is known to be inside or outside. Input
-/// vertices are written less than a unit away from their places in the world.
+/// A corner inside the domain tells, or the ball about a corner outside of it that holds the tetrahedron.
+/// Input vertices are written less than a unit away from their places in the world.
 bool Refinement::meets_domain(TetId t) {
   if (has_outside_input(t) || has_wanted(t)) return true;
-  const Tet corners = mesh_.corners(t);
   const auto& v = mesh_.tet(t).v;
   const double shift = inputs_.empty() ? 0 : 1;
+  for (int i = 0; i < 4; ++i)
+    if (clearance(v[i]) < -shift) return true;
+  const Tet corners = mesh_.corners(t);
   for (int i = 0; i < 4; ++i) {
-    const double clearance = this->clearance(v[i]), radius = std::max(0.0, std::abs(clearance) - shift);
+    const double radius = std::max(0.0, clearance(v[i]) - shift);
     double farthest_sq = 0;
     for (int j = 0; j < 4; ++j) farthest_sq = std::max(farthest_sq, dist_sq(corners[i], corners[j]));
-    if (farthest_sq < radius * radius) return clearance < 0;
+    if (farthest_sq < radius * radius) return false;
   }
   ++stats_.domain_tests;
   return domain_.meets(
@@ -229,12 +228,10 @@ void Refinement::insert_in_conflict(const Vec3& w, Level label, double lfs_bound
   assert(mesh_.in_conflict(t, w) && mesh_.corner_at(t, w) == kNoVertex);
   if (insertions_++ % kCheckInterval == 0) poll();
   mesh_.insert_in_conflict(w, t);
-  add_vertex_arrays(label, lfs_bound);
+  add_notes(label, lfs_bound);
 }
 
-std::uint64_t Refinement::bytes() const {
-  return mesh_.bytes() + labels_.bytes() + lfs_bounds_.bytes() + clearances_.bytes() + proofs_.bytes();
-}
+std::uint64_t Refinement::bytes() const { return mesh_.bytes() + notes_.bytes(); }
 
 void Refinement::poll() {
   stats_.peak_bytes = std::max(stats_.peak_bytes, bytes());

@@ -50,24 +50,24 @@ class Refinement {
   MeshStats& stats() { return stats_; }
 
   const Inputs& inputs() const { return inputs_; }
-  bool is_input(VertexId v) const { return labels_[v] == kNoLabel; }
+  bool is_input(VertexId v) const { return label(v) == kNoLabel; }
   /// The site of an input vertex.
   VertexId site(VertexId input) const { return site_of_vertex_[input - first_input_]; }
   /// How many sites lie outside the domain. Tetrahedra there count as meeting it.
   std::size_t outside_count() const { return outside_count_; }
 
-  Level label(VertexId v) const { return labels_[v]; }
+  Level label(VertexId v) const { return notes_[v].label; }
   /// A certified upper bound of lfs(v): inequality (1) holds with it. Infinite for input vertices.
-  double lfs_bound(VertexId v) const { return lfs_bounds_[v]; }
+  double lfs_bound(VertexId v) const { return notes_[v].lfs_bound; }
   /// t's refinement vertex with the finest label; kNoVertex where all corners are input vertices.
   VertexId finest_corner(TetId t) const;
 
   /// A size proof rests on v: then v must be a vertex of the result, or the proof speaks of another mesh.
-  void rely_on(VertexId v) { proofs_[v] |= kReliedOn; }
-  bool is_relied_on(VertexId v) const { return (proofs_[v] & kReliedOn) != 0; }
+  void rely_on(VertexId v) { notes_[v].proofs |= kReliedOn; }
+  bool is_relied_on(VertexId v) const { return (notes_[v].proofs & kReliedOn) != 0; }
   /// Tetrahedra at v count as meeting the domain from now on.
   void want(VertexId v) {
-    proofs_[v] |= kWanted;
+    notes_[v].proofs |= kWanted;
     any_wanted_ = true;
   }
 
@@ -89,6 +89,9 @@ class Refinement {
   /// Dihedral angle or radius-edge ratio out of bounds, decided exactly.
   bool is_bad(TetId t) { return judge(t).is_bad; }
   exact::Judgement judge(TetId t) { return exact::judge(mesh_.corners(t), bounds_, quality_counts_); }
+  void judge(std::span<const Tet> tets, std::span<exact::Judgement> judgements) {
+    exact::judge(tets, bounds_, quality_counts_, judgements);
+  }
 
   /// s at p, capped (an infinite size means: as coarse as the domain).
   double size_at(const Vec3& p) const;
@@ -112,6 +115,11 @@ class Refinement {
   /// The same where t is known to be in conflict with w, which is none of its corners.
   void insert_in_conflict(const Vec3& w, Level label, double lfs_bound, TetId t);
   std::span<const TetId> created() const { return mesh_.created(); }
+  /// Asks for what is known of t's corners ahead of use.
+  void prefetch_corners(TetId t) const {
+    mesh_.prefetch_corners(t);
+    for (const VertexId v : mesh_.tet(t).v) __builtin_prefetch(notes_.begin() + v);
+  }
 
   /// Reports progress, and ends the run when a cap is met or the caller cancelled it. Called often by long
   /// searches. \throws Stopped
@@ -122,6 +130,15 @@ class Refinement {
   void finish_phases();
 
  private:
+  enum Proof : std::uint8_t { kReliedOn = 1, kWanted = 2 };
+  /// What is known of a vertex, in one place: its tetrahedra ask for all of it, and it is in no cache.
+  struct VertexNotes {
+    float lfs_bound;
+    float clearance;  ///< signed, see Domain::clearance; NaN = not asked yet
+    std::uint8_t label;
+    std::uint8_t proofs;  ///< of Proof
+  };
+
   Refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
              lattice::InputSites sites, const MeshOptions& options, const Control& control);
   Tet to_caller(const Tet& t) const;
@@ -131,7 +148,7 @@ class Refinement {
   bool lies_outside(VertexId site) const;
   bool has_outside_input(TetId t) const;
   bool has_wanted(TetId t) const;
-  void add_vertex_arrays(Level label, double lfs_bound);
+  void add_notes(Level label, double lfs_bound);
   void report_progress();
   std::uint64_t bytes() const;
 
@@ -151,12 +168,8 @@ class Refinement {
   std::size_t outside_count_ = 0;
 
   delaunay::Triangulation mesh_;
-  PodVector<std::uint8_t> labels_;
-  PodVector<float> lfs_bounds_;
-  enum Proof : std::uint8_t { kReliedOn = 1, kWanted = 2 };
-  PodVector<std::uint8_t> proofs_;  ///< by vertex, of Proof
+  PodVector<VertexNotes> notes_;  ///< by vertex
   bool any_wanted_ = false;
-  PodVector<float> clearances_;  ///< signed, see Domain::clearance; NaN = not asked yet
 
   exact::StageCounts quality_counts_;
   MeshStats stats_;

@@ -91,6 +91,32 @@ TEST(QualitySigns, LatticeTetrahedraNeverNeedWideIntegers) {
   EXPECT_GT(counts.small, 100U);
 }
 
+/// Four at a time, to the last bit of the radius, and the rest of a batch one by one.
+TEST(QualitySigns, ManyAreJudgedAsEachAlone) {
+  SCOPED_TRACE("seed 4");
+  Generator random(4);
+  StageCounts alone, batched, ignored;
+  for (int n = 0; n < 300; ++n) {
+    std::vector<Tet> tets;
+    while (tets.size() < static_cast<std::size_t>(n % 11)) {
+      const Tet t = tets.size() % 2 == 0 ? random.vectors<4>(1 + n % 48)
+                                         : random.lattice<4>(2 + n % 3, std::ldexp(1.0, 1 + n % 38), n % 2);
+      if (!is_flat(t, ignored)) tets.push_back(positive(t, ignored));
+    }
+    std::vector<Judgement> judgements(tets.size());
+    judge(tets, QualityBounds(), batched, judgements);
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      const Judgement expected = judge(tets[i], QualityBounds(), alone);
+      ASSERT_EQ(judgements[i].is_bad, expected.is_bad);
+      ASSERT_EQ(judgements[i].radius_sq, expected.radius_sq);
+    }
+  }
+  EXPECT_EQ(batched.filter, alone.filter);
+  EXPECT_EQ(batched.small, alone.small);
+  EXPECT_EQ(batched.wide, alone.wide);
+  EXPECT_GT(alone.small, 0U);
+}
+
 /// All tetrahedra with a corner at 0 and the others in {-1, .., 2} x {0, .., 2}^2.
 std::vector<Tet> small_tetrahedra() {
   std::vector<Vec3> points;
