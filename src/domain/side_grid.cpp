@@ -1,5 +1,6 @@
 #include "domain/side_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geom/triangle_shape.hpp"
@@ -8,6 +9,8 @@ namespace unsliver::domain {
 namespace {
 
 constexpr std::int8_t kMostSteps = 120;
+/// Stands for the steps of a cell without triangles whose side is not known yet.
+constexpr std::int8_t kFree = 2;
 /// Coordinates in units of a cell err by far less than this.
 constexpr double kMargin = 1e-9;
 
@@ -46,7 +49,8 @@ double cell_size(const Box3& bounds, std::size_t triangles) {
 
 }  // namespace
 
-/// Splits the grid into blocks that no triangle meets, and asks for the side of each.
+/// Splits the grid into blocks that no triangle meets. About an open surface each is asked for its side;
+/// about a closed one those that hang together are alike, and one of them is asked.
 class SideGrid::Filler {
  public:
   Filler(SideGrid& grid, const TriangleMesh& surface, const SurfaceRegion& region)
@@ -56,13 +60,26 @@ class SideGrid::Filler {
       triangles_.push_back(cell_triangle({corner(t[0]), corner(t[1]), corner(t[2])}));
   }
 
-  void fill(const Block& block, const std::vector<std::uint32_t>& candidates) const {
+  void fill(const Block& block, const std::vector<std::uint32_t>& candidates) {
     const std::vector<std::uint32_t> present = meeting(block, candidates);
-    if (present.empty()) return label(block);
+    if (present.empty()) return region_.is_closed() ? set_free(block) : label(block);
     if (length(block, longest_axis(block)) == 1) return;
     const auto [low, high] = halves(block);
     fill(low, present);
     fill(high, present);
+  }
+
+  /// Decides the free cells; what is not certain of a closed surface stays undecided.
+  void flood() {
+    const auto volume = [](const Block& b) {
+      return std::int64_t{length(b, 0)} * length(b, 1) * length(b, 2);
+    };
+    std::stable_sort(free_.begin(), free_.end(),
+                     [&](const Block& a, const Block& b) { return volume(a) > volume(b); });
+    for (const Block& block : free_)
+      if (grid_.cells_[grid_.at(block.first)].steps == kFree) flood_from(block);
+    for (Cell& cell : grid_.cells_)
+      if (cell.steps == kFree) cell = {};
   }
 
   std::vector<std::uint32_t> all() const {
@@ -102,11 +119,20 @@ class SideGrid::Filler {
   }
 
   void label(const Block& block) const {
-    const Cell cell = region_.is_closed() ? closed_cell(block) : open_cell(block);
+    const Cell cell = open_cell(block);
     if (cell.steps == 0) return label_halves(block);
+    set(block, cell);
+  }
+
+  void set(const Block& block, const Cell& cell) const {
     for (int z = block.first[2]; z < block.last[2]; ++z)
       for (int y = block.first[1]; y < block.last[1]; ++y)
         for (int x = block.first[0]; x < block.last[0]; ++x) grid_.cells_[grid_.at({x, y, z})] = cell;
+  }
+
+  void set_free(const Block& block) {
+    free_.push_back(block);
+    set(block, {kFree, 0});
   }
 
   /// The winding number varies too much over the block: parts of it may yet be certain.
@@ -131,31 +157,35 @@ class SideGrid::Filler {
   }
 
   Cell closed_cell(const Block& block) const {
-    const Cell known = neighbour_of(block);
-    if (known.steps != 0) return known;
     const double winding = region_.winding_number(center_of(block)), whole = std::round(winding);
     if (std::abs(winding - whole) > 0.1 || std::abs(whole) > 100) return {};
     return {static_cast<std::int8_t>(whole > 0 ? Side::kInside : Side::kOutside),
             static_cast<std::int8_t>(whole)};
   }
 
-  /// A decided cell that shares a face with the block. Both are free of triangles, and so alike.
-  Cell neighbour_of(const Block& block) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int step : {block.first[axis] - 1, block.last[axis]}) {
-        if (step < 0 || step >= grid_.count_[axis]) continue;
-        Index next = block.first;
-        next[axis] = step;
-        const Cell& cell = grid_.cells_[grid_.at(next)];
-        if (cell.steps != 0) return cell;
-      }
+  void flood_from(const Block& block) const {
+    const Cell cell = closed_cell(block);
+    if (cell.steps == 0) return;
+    std::vector<Index> edge{block.first};
+    grid_.cells_[grid_.at(block.first)] = cell;
+    while (!edge.empty()) {
+      const Index from = edge.back();
+      edge.pop_back();
+      for (int axis = 0; axis < 3; ++axis)
+        for (const int step : {-1, 1}) {
+          Index next = from;
+          next[axis] += step;
+          if (!grid_.in_grid(next) || grid_.cells_[grid_.at(next)].steps != kFree) continue;
+          grid_.cells_[grid_.at(next)] = cell;
+          edge.push_back(next);
+        }
     }
-    return {};
   }
 
   SideGrid& grid_;
   const SurfaceRegion& region_;
   std::vector<CellTriangle> triangles_;
+  std::vector<Block> free_;
 };
 
 SideGrid::SideGrid(const TriangleMesh& surface, const Box3& bounds, const SurfaceRegion& region)
@@ -163,8 +193,9 @@ SideGrid::SideGrid(const TriangleMesh& surface, const Box3& bounds, const Surfac
   for (int axis = 0; axis < 3; ++axis)
     count_[axis] = static_cast<int>(std::floor(bounds.size()[axis] / cell_)) + 1;
   cells_.assign(at({0, 0, count_[2]}), {});
-  const Filler filler(*this, surface, region);
+  Filler filler(*this, surface, region);
   filler.fill({{0, 0, 0}, count_}, filler.all());
+  filler.flood();
   measure_steps();
 }
 
