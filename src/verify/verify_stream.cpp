@@ -3,6 +3,7 @@
 #include "verify/shape_census.hpp"
 #include "verify/stream_facets.hpp"
 #include "verify/stream_points.hpp"
+#include "verify/until_cancelled.hpp"
 
 namespace unsliver {
 namespace verifier {
@@ -144,13 +145,7 @@ StreamVerifyReport verify_stream(MeshSource& source, const StreamVerifyOptions& 
   Reporter reporter(report, options.max_findings);
   const MeshHead head = source.head();
   Pulse pulse(control, 2 * (head.vertices + head.tets), head.vertices, head.tets);
-  try {
-    run({source, head, options, report, reporter, pulse});
-  } catch (const Cancelled&) {
-    reporter.find("cancelled", {},
-                  [] { return std::string("the verification was cancelled before its end"); });
-    reporter.line("cancelled: the checks that are not listed above were not finished");
-  }
+  run_until_cancelled(reporter, [&] { run({source, head, options, report, reporter, pulse}); });
   return report;
 }
 
