@@ -9,6 +9,7 @@
 #include "check_report.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "guarantee.hpp"
 #include "mesh_report.hpp"
 #include "progress_display.hpp"
 #include "raw_mesh.hpp"
@@ -92,12 +93,6 @@ std::vector<Vec3> points_to_cover(const std::string& surface_path, bool ours) {
   return points;
 }
 
-std::optional<QualityGuarantee> guarantee_of(const CheckReport& report) {
-  if (!report.held_to) return std::nullopt;
-  const QualityLimits& limits = *report.held_to;
-  return QualityGuarantee{limits.min_dihedral_deg, limits.max_dihedral_deg, limits.max_radius_edge};
-}
-
 void conclude(CheckReport& report) {
   if (report.verified.ok)
     round_extremes(report.held_to.value_or(QualityLimits{}), report.verified, report.quality);
@@ -115,7 +110,7 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   report.quality = summarize_quality(mesh, options.worst);
 
   VerifyOptions verify_options;
-  verify_options.guarantee = guarantee_of(report);
+  if (report.held_to) verify_options.guarantee = guarantee_of(*report.held_to);
   verify_options.delaunay = report.ours;
   verify_options.must_cover = points_to_cover(options.against, report.ours);
   verify_options.cover_tolerance = sample_rounding(verify_options.must_cover);
@@ -136,7 +131,7 @@ CheckReport judge_pieces(const CheckOptions& options) {
   report.held_to = limits_to_hold(options, mesh.limits());
 
   StreamVerifyOptions verify_options;
-  verify_options.guarantee = guarantee_of(report);
+  if (report.held_to) verify_options.guarantee = guarantee_of(*report.held_to);
   if (!options.against.empty()) {
     const DomainPtr domain = make_surface(io::read_surface(options.against));
     verify_options.inside = [domain](const Vec3& p) { return domain->contains(p); };
