@@ -224,10 +224,10 @@ VerifyOptions MeshRun::verify_options() const {
   VerifyOptions verify;
   verify.must_cover = points_to_cover();
   verify.cover_tolerance = sample_rounding(verify.must_cover);
+  verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
   if (result_.status != MeshStatus::kDone) return verify;
   verify.guarantee = guarantee_of(limits());
   if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
-  verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
   const GradingGuarantee grading = grading_guarantee(result_.stats.strategy, inputs().has_value());
   if (grading.share > 0) verify.lfs_lower_bound = local_feature_size(grading);
   verify.grading_constant = grading.share;

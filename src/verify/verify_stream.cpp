@@ -1,5 +1,6 @@
 #include "unsliver/verify_stream.hpp"
 
+#include "verify/holes.hpp"
 #include "verify/shape_census.hpp"
 #include "verify/stream_facets.hpp"
 #include "verify/stream_points.hpp"
@@ -78,20 +79,13 @@ class TetPass {
   FacetMap map_;
 };
 
-void report_cover(const StreamContext& c, std::uint64_t boundary) {
-  const std::uint64_t wrong = c.reporter.count("cover");
-  c.reporter.line("cover: beyond " + grouped(boundary) + " facets in one tetrahedron there is " +
-                  (wrong == 0 ? "nothing of the domain" : "more of the domain " + grouped(wrong) + " times") +
-                  ", by " + grouped(4 * boundary) + " samples");
-}
-
 void check_facets(const StreamContext& c, const TetPass& pass, PointPages& points) {
   const FacetCounts facets = match_stream_facets(c, pass.facets(), points);
   const std::uint64_t wrong = c.reporter.count("conformity");
   c.reporter.line("conformity: " + grouped(facets.interior) + " facets in two tetrahedra, " +
                   grouped(facets.boundary) + " in one" +
                   (wrong == 0 ? "" : "; " + grouped(wrong) + " defects"));
-  if (c.options.inside) report_cover(c, facets.boundary);
+  if (c.options.inside) report_holes(c.reporter, facets.boundary, c.reporter.count("cover"));
   const BigInt six_volumes = pass.census().six_volumes();
   const double unit = c.head.frame.unit;
   VerifyReport& report = c.report;
