@@ -57,17 +57,15 @@ void check_coordinates(const Context& c) {
   }
 }
 
-void check_frame(const Context& c) {
-  if (!c.mesh.frame) return;
-  const Frame& f = *c.mesh.frame;
+}  // namespace
+
+void check_frame(const Frame& f, Reporter& reporter) {
   if (std::isfinite(f.unit) && f.unit > 0 && is_finite(f.origin)) return;
-  c.reporter.find("coordinates", {}, [&] {
+  reporter.find("coordinates", {}, [&] {
     return "the frame has unit " + full(f.unit) + " and origin " + full(f.origin) +
            ": expected a positive unit and finite numbers";
   });
 }
-
-}  // namespace
 
 bool check_structure(const Context& c) {
   check_arrays(c);
@@ -76,7 +74,7 @@ bool check_structure(const Context& c) {
     check_simplex(c, c.mesh.triangles[t], t, "triangle");
   }
   check_coordinates(c);
-  check_frame(c);
+  if (c.mesh.frame) check_frame(*c.mesh.frame, c.reporter);
   const std::string size =
       count_of(c.mesh.points.size(), "points, ") + count_of(c.mesh.tets.size(), "tetrahedra");
   if (c.reporter.report().ok) {

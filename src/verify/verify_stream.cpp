@@ -4,15 +4,12 @@
 #include "verify/shape_census.hpp"
 #include "verify/stream_facets.hpp"
 #include "verify/stream_points.hpp"
+#include "verify/structure.hpp"
 #include "verify/until_cancelled.hpp"
 
 namespace unsliver {
 namespace verifier {
 namespace {
-
-bool is_sound(const unsliver::Frame& frame) {
-  return std::isfinite(frame.unit) && frame.unit > 0 && is_finite(frame.origin);
-}
 
 /// The first pass over the tetrahedra: can they be read, which shapes have they, where are their facets?
 class TetPass {
@@ -102,11 +99,7 @@ void check_facets(const StreamContext& c, const TetPass& pass, PointPages& point
 }
 
 bool check_head(const StreamContext& c) {
-  if (!is_sound(c.head.frame))
-    c.reporter.find("coordinates", {}, [&] {
-      return "the frame has unit " + full(c.head.frame.unit) + " and origin " + full(c.head.frame.origin) +
-             ": expected a positive unit and finite numbers";
-    });
+  check_frame(c.head.frame, c.reporter);
   if (c.head.vertices >= kNoVertex || (c.head.vertices == 0 && c.head.tets > 0))
     c.reporter.find("index", {}, [&] {
       return "there are " + grouped(c.head.vertices) + " vertices, more or less than can be";
