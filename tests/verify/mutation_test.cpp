@@ -202,6 +202,16 @@ TEST(Mutation, SplitVertexLeavesACrack) {
   });
 }
 
+TEST(Mutation, TheTwoZerosAreOnePlace) {
+  TetMesh mesh = single_tet({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  for (const Vec3 p : {Vec3{-0.0, 0, -0.0}, Vec3{-1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, -1}})
+    mesh.points.push_back(p);
+  mesh.tets.push_back({4, 5, 7, 6});
+  const VerifyReport r = verify(mesh, {});
+  ASSERT_EQ(findings(r)["conformity"], 1) << text(r);
+  EXPECT_EQ(r.findings[0].ids, (std::vector<std::int64_t>{0, 4}));
+}
+
 TEST(Mutation, NotANumber) {
   for (const double bad : {double(NAN), double(INFINITY)}) {
     expect_caught("coordinates", [bad](TetMesh& m, auto& random) {
