@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 
 #include "check_report.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "guarantee.hpp"
 #include "mesh_report.hpp"
 #include "progress_display.hpp"
 #include "raw_mesh.hpp"
@@ -30,7 +32,8 @@ Any mesh: orientation and conformity, decided exactly. Meshes of unsliver (they 
 the Delaunay property, lattice membership and the limits on angles and radius-edge ratio they were made
 for as well; files other than .vtu do not hold these limits, and 30 and 135 degrees are taken. With
 --against, the surface's vertices must be covered (in meshes of unsliver also 100,000 samples of the
-surface). --min-angle, --max-angle and --max-radius-edge each replace one of the mesh's own limits.
+surface, and the inside beyond each facet that the mesh ends at). --min-angle, --max-angle and
+--max-radius-edge each replace one of the mesh's own limits.
 Exit code 0: no fault found (poor angles alone are no fault unless promised or asked for); 1: the mesh
 is not what it should be; 2: the mesh could not be read.)text";
 
@@ -81,21 +84,19 @@ void check_bounds(const CheckOptions& options) {
   within("--max-radius-edge", options.max_radius_edge, 0.612372, std::numeric_limits<double>::infinity());
 }
 
-std::vector<Vec3> points_to_cover(const std::string& surface_path, bool ours) {
-  if (surface_path.empty()) return {};
-  const TriangleMesh surface = io::read_surface(surface_path);
-  std::vector<Vec3> points = surface_vertices(surface);
-  if (ours) {
-    const std::vector<Vec3> samples = surface_samples(surface, kCoverSamples);
-    points.insert(points.end(), samples.begin(), samples.end());
-  }
-  return points;
+std::function<bool(const Vec3&)> inside_of(const TriangleMesh& surface) {
+  return [domain = make_surface(surface)](const Vec3& p) { return domain->contains(p); };
 }
 
-std::optional<QualityGuarantee> guarantee_of(const CheckReport& report) {
-  if (!report.held_to) return std::nullopt;
-  const QualityLimits& limits = *report.held_to;
-  return QualityGuarantee{limits.min_dihedral_deg, limits.max_dihedral_deg, limits.max_radius_edge};
+/// Meshes of others need not follow the surface between its vertices.
+void hold_against(const TriangleMesh& surface, bool ours, VerifyOptions& options) {
+  options.must_cover = surface_vertices(surface);
+  if (ours) {
+    const std::vector<Vec3> samples = surface_samples(surface, kCoverSamples);
+    options.must_cover.insert(options.must_cover.end(), samples.begin(), samples.end());
+    options.inside = inside_of(surface);
+  }
+  options.cover_tolerance = sample_rounding(options.must_cover);
 }
 
 void conclude(CheckReport& report) {
@@ -115,10 +116,9 @@ CheckReport judge(const CheckOptions& options, const TetMesh& mesh) {
   report.quality = summarize_quality(mesh, options.worst);
 
   VerifyOptions verify_options;
-  verify_options.guarantee = guarantee_of(report);
+  if (report.held_to) verify_options.guarantee = guarantee_of(*report.held_to);
   verify_options.delaunay = report.ours;
-  verify_options.must_cover = points_to_cover(options.against, report.ours);
-  verify_options.cover_tolerance = sample_rounding(verify_options.must_cover);
+  if (!options.against.empty()) hold_against(io::read_surface(options.against), report.ours, verify_options);
   ProgressDisplay display(!options.quiet && stderr_is_terminal());
   report.verified = verify(mesh, verify_options, display.control());
   conclude(report);
@@ -136,11 +136,8 @@ CheckReport judge_pieces(const CheckOptions& options) {
   report.held_to = limits_to_hold(options, mesh.limits());
 
   StreamVerifyOptions verify_options;
-  verify_options.guarantee = guarantee_of(report);
-  if (!options.against.empty()) {
-    const DomainPtr domain = make_surface(io::read_surface(options.against));
-    verify_options.inside = [domain](const Vec3& p) { return domain->contains(p); };
-  }
+  if (report.held_to) verify_options.guarantee = guarantee_of(*report.held_to);
+  if (!options.against.empty()) verify_options.inside = inside_of(io::read_surface(options.against));
   ProgressDisplay display(!options.quiet && stderr_is_terminal());
   StreamVerifyReport verified = verify_stream(mesh, verify_options, display.control());
   report.bounds = verified.bounds;

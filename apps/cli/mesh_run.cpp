@@ -9,6 +9,7 @@
 
 #include "box_check.hpp"
 #include "files.hpp"
+#include "guarantee.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
 #include "raw_mesh.hpp"
@@ -223,10 +224,10 @@ VerifyOptions MeshRun::verify_options() const {
   VerifyOptions verify;
   verify.must_cover = points_to_cover();
   verify.cover_tolerance = sample_rounding(verify.must_cover);
-  if (result_.status != MeshStatus::kDone) return verify;
-  verify.guarantee = {asked().min_dihedral_deg, asked().max_dihedral_deg, asked().max_radius_edge};
-  if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
   verify.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
+  if (result_.status != MeshStatus::kDone) return verify;
+  verify.guarantee = guarantee_of(limits());
+  if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
   const GradingGuarantee grading = grading_guarantee(result_.stats.strategy, inputs().has_value());
   if (grading.share > 0) verify.lfs_lower_bound = local_feature_size(grading);
   verify.grading_constant = grading.share;
@@ -243,7 +244,7 @@ std::function<double(const Vec3&)> MeshRun::local_feature_size(const GradingGuar
 void MeshRun::judge_pieces() {
   RawMeshReader mesh(folder_->place());
   StreamVerifyOptions asked;
-  asked.guarantee = {limits().min_dihedral_deg, limits().max_dihedral_deg, limits().max_radius_edge};
+  asked.guarantee = guarantee_of(limits());
   asked.inside = [this](const Vec3& p) { return report_.source->domain->contains(p); };
   StreamVerifyReport verified = verify_stream(mesh, asked, display_.control());
   report_.quality = summarize_quality(verified.shapes);

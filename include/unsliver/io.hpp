@@ -41,7 +41,7 @@ PointSet read_points(const std::filesystem::path& path);
 
 /// VTU (appended raw, zlib; arrays level, point_source, region, min_dihedral as far as present), Gmsh .msh
 /// (2.2 binary or ASCII, 4.1), MEDIT .mesh, TetGen .node/.ele/.face (path with any of these extensions writes
-/// all three).
+/// all three; .face holds `triangles`, or where there are none the boundary facets).
 struct WriteOptions {
   std::string format;                   ///< "" = by extension; "vtu", "msh22", "msh41", "medit", "tetgen"
   bool ascii = false;                   ///< msh only: text instead of binary

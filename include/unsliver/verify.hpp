@@ -32,10 +32,14 @@ struct VerifyOptions {
   bool conforming_superset =
       true;  ///< every facet in 1 or 2 tetrahedra, boundary edge-manifoldness reported, no duplicates
 
-  /// Size bound: for random points p with inside(p), a vertex lies within size(p) (1 + 1e-12). Needs all
-  /// three. Where the domain has so little volume that none is met, the points of must_cover serve.
-  std::function<double(const Vec3&)> size;
+  /// Is a point in the domain? With conforming_superset, four points just beyond each facet in one
+  /// tetrahedron are asked about: those in the domain must be in some other tetrahedron (exact, but for
+  /// cover_tolerance), or the mesh has a hole there.
   std::function<bool(const Vec3&)> inside;
+
+  /// Size bound: for random points p with inside(p), a vertex lies within size(p) (1 + 1e-12). Needs
+  /// `inside`. Where the domain has so little volume that none is met, the points of must_cover serve.
+  std::function<double(const Vec3&)> size;
   std::size_t size_samples = 100000;
 
   /// Coverage: these points (surface vertices and samples, domain samples) must lie in the union of

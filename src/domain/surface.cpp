@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/plural.hpp"
 #include "domain/ranges.hpp"
 #include "domain/side_grid.hpp"
 #include "domain/surface_notes.hpp"
@@ -44,7 +45,8 @@ class SurfaceDomain final : public Domain {
         region_(surface, uses),
         grid_(surface, bounds_, region_),
         volume_(clean_ ? std::abs(d.signed_volume) : grid_.inside_volume()),
-        description_(fmt::format("surface {}, {} triangles, {}", surface.name, surface.triangles.size(),
+        description_(fmt::format("surface {}, {}, {}", surface.name,
+                                 plural(surface.triangles.size(), "triangle", "triangles"),
                                  clean_ ? notes.empty() ? "closed and clean" : "closed, clean after repairs"
                                  : d.closed() ? "closed, not clean"
                                               : "open")),

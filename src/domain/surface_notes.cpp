@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "base/plural.hpp"
+
 namespace unsliver::domain {
 namespace {
-
-std::string plural(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 /// "3 boundary edges, 1 non-manifold edge": the defects that make a surface unclean.
 std::string list_defects(const SurfaceDefects& d) {

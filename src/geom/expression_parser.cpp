@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/plural.hpp"
 #include "geom/expression_builder.hpp"
 #include "unsliver/error.hpp"
 
@@ -193,7 +194,8 @@ class Parser {
   }
 
   static std::string argument_count(const Function& f) {
-    if (f.most == f.fewest) return fmt::format("{} argument(s) of {}", f.fewest, f.name);
+    if (f.most == f.fewest)
+      return fmt::format("{} of {}", plural(std::size_t(f.fewest), "argument", "arguments"), f.name);
     if (f.most == kAnyCount) return fmt::format("at least {} arguments of {}", f.fewest, f.name);
     return fmt::format("{} to {} arguments of {}", f.fewest, f.most, f.name);
   }

@@ -71,6 +71,20 @@ std::array<VertexId, N> read_corners(Scanner& scanner, const Nodes& nodes) {
   return corners;
 }
 
+// Calls read() behind the index of each line.
+template <class Read>
+void for_each_element(Scanner& scanner, std::string_view kind, std::size_t count, const Nodes& nodes,
+                      const Read& read) {
+  const std::string one = fmt::format("a {}", kind);
+  for (std::size_t i = 0; i < count; ++i) {
+    scanner.at(kind, i + static_cast<std::size_t>(nodes.first_index));
+    scanner.next_line(one);
+    scanner.integer("an index");
+    read();
+    scanner.skip_line();
+  }
+}
+
 void read_tets(std::string_view bytes, const std::string& name, const Nodes& nodes, TetMesh& mesh) {
   Scanner scanner = tetgen_scanner(bytes, name, "a TetGen .ele file, which starts with '<count> 4 ...'");
   const std::size_t count = scanner.count("tetrahedra", sizeof("0 0 0 0 0"));
@@ -81,14 +95,10 @@ void read_tets(std::string_view bytes, const std::string& name, const Nodes& nod
   const bool has_region = integer_or(scanner, 0, "the number of attributes") > 0;
   scanner.skip_line();
   mesh.tets.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    scanner.at("tetrahedron", i + static_cast<std::size_t>(nodes.first_index));
-    scanner.next_line("a tetrahedron");
-    scanner.integer("an index");
+  for_each_element(scanner, "tetrahedron", count, nodes, [&] {
     mesh.tets.push_back(read_corners<4>(scanner, nodes));
     if (has_region) mesh.regions.push_back(read_region(scanner));
-    scanner.skip_line();
-  }
+  });
 }
 
 void read_triangles(std::string_view bytes, const std::string& name, const Nodes& nodes, TetMesh& mesh) {
@@ -97,14 +107,10 @@ void read_triangles(std::string_view bytes, const std::string& name, const Nodes
   const bool has_label = integer_or(scanner, 0, "the number of markers") > 0;
   scanner.skip_line();
   mesh.triangles.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    scanner.at("triangle", i + static_cast<std::size_t>(nodes.first_index));
-    scanner.next_line("a triangle");
-    scanner.integer("an index");
+  for_each_element(scanner, "triangle", count, nodes, [&] {
     mesh.triangles.push_back(read_corners<3>(scanner, nodes));
     if (has_label) mesh.triangle_labels.push_back(scanner.label("a marker"));
-    scanner.skip_line();
-  }
+  });
 }
 
 }  // namespace

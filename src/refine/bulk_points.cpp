@@ -37,9 +37,7 @@ std::optional<int> BulkPoints::exponent_at(const Vec3& p) const {
   for (int octant = 0; octant < 8; ++octant) {
     const auto leaf = leaf_at(p, octant);
     if (!leaf || (least && *least <= leaf->exponent)) continue;
-    const bool is_vertex =
-        !visit_vertices(*leaf, [&](const Vec3& vertex) { return vertex == p; }) ? false : true;
-    if (is_vertex) least = leaf->exponent;
+    if (visit_vertices(*leaf, [&](const Vec3& vertex) { return vertex == p; })) least = leaf->exponent;
   }
   return least;
 }

@@ -61,12 +61,10 @@ geom::Sphere exact_circumsphere(const Tet& t) {
 
 geom::Sphere circumsphere(const Tet& t) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = t[3] - t[0];
-  const Vec3 vw = unsliver::cross(v, w), wu = unsliver::cross(w, u), uv = unsliver::cross(u, v);
-  const double lu = norm_sq(u), lv = norm_sq(v), lw = norm_sq(w), det = dot(u, vw);
-  if (det * det < kLeastShareSq * (lu * lv * lw)) [[unlikely]]
+  const double det = dot(u, unsliver::cross(v, w));
+  if (det * det < kLeastShareSq * (norm_sq(u) * norm_sq(v) * norm_sq(w))) [[unlikely]]
     return exact_circumsphere(t);
-  const Vec3 c = (0.5 / det) * (lu * vw + lv * wu + lw * uv);
-  return {t[0] + c, norm_sq(c)};
+  return geom::circumsphere(t);
 }
 
 }  // namespace unsliver::refine

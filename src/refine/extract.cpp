@@ -4,39 +4,14 @@ namespace unsliver::refine {
 
 namespace {
 
-PodVector<TetId> kept_tets(Refinement& r) {
-  PodVector<TetId> kept;
-  for (TetId t = 0; t < r.mesh().slot_count(); ++t) {
-    r.mesh().prefetch_ahead(t);
-    if (r.mesh().is_finite(t) && r.meets_domain(t)) kept.push_back(t);
-  }
-  return kept;
-}
-
-/// The mesh's vertices: new index of each vertex of the kernel, kNoVertex for those that are not used.
-struct Numbering {
-  Numbering(const Refinement& r, const PodVector<TetId>& kept) {
-    index.resize(r.mesh().vertex_count() + 1, kNoVertex);
-    for (TetId t : kept)
-      for (VertexId v : r.mesh().tet(t).v) index[v] = 0;
-    used = static_cast<VertexId>(r.inputs().places().size());
-    for (VertexId v = 1; v < index.size(); ++v)
-      if (r.is_input(v))
-        index[v] = r.site(v);
-      else if (index[v] != kNoVertex)
-        index[v] = used++;
-  }
-  PodVector<VertexId> index;
-  VertexId used;
-};
-
-void copy_points(const Refinement& r, const Numbering& numbering, TetMesh& mesh) {
-  mesh.points.resize(numbering.used);
-  mesh.levels.resize(numbering.used);
-  for (VertexId v = 1; v < numbering.index.size(); ++v) {
-    if (numbering.index[v] == kNoVertex) continue;
-    mesh.points[numbering.index[v]] = r.output_position(v);
-    mesh.levels[numbering.index[v]] = static_cast<std::uint8_t>(r.label(v));
+void copy_points(const Refinement& r, const Extraction& extraction, TetMesh& mesh) {
+  mesh.points.resize(extraction.used);
+  mesh.levels.resize(extraction.used);
+  for (VertexId v = 1; v < extraction.number.size(); ++v) {
+    const VertexId number = extraction.number[v];
+    if (number == kNoVertex) continue;
+    mesh.points[number] = r.output_position(v);
+    mesh.levels[number] = static_cast<std::uint8_t>(r.label(v));
   }
   const auto& first_points = r.inputs().sites().first_point;
   if (first_points.empty()) return;
@@ -46,29 +21,41 @@ void copy_points(const Refinement& r, const Numbering& numbering, TetMesh& mesh)
 
 }  // namespace
 
-bool want_dropped_proofs(Refinement& r) {
-  const PodVector<TetId> kept = kept_tets(r);
-  const Numbering numbering(r, kept);
+Extraction::Extraction(Refinement& r) {
+  for (TetId t = 0; t < r.mesh().slot_count(); ++t) {
+    r.mesh().prefetch_ahead(t);
+    if (r.mesh().is_finite(t) && r.meets_domain(t)) kept.push_back(t);
+  }
+  number.resize(r.mesh().vertex_count() + 1, kNoVertex);
+  for (TetId t : kept)
+    for (VertexId v : r.mesh().tet(t).v) number[v] = 0;
+  used = static_cast<VertexId>(r.inputs().places().size());
+  for (VertexId v = 1; v < number.size(); ++v)
+    if (r.is_input(v))
+      number[v] = r.site(v);
+    else if (number[v] != kNoVertex)
+      number[v] = used++;
+}
+
+bool want_dropped_proofs(Refinement& r, const Extraction& extraction) {
   bool any = false;
-  for (VertexId v = 1; v < numbering.index.size(); ++v) {
-    if (!r.is_relied_on(v) || numbering.index[v] != kNoVertex) continue;
+  for (VertexId v = 1; v < extraction.number.size(); ++v) {
+    if (!r.is_relied_on(v) || extraction.number[v] != kNoVertex) continue;
     r.want(v);
     any = true;
   }
   return any;
 }
 
-TetMesh extract_superset(Refinement& r) {
-  const PodVector<TetId> kept = kept_tets(r);
-  const Numbering numbering(r, kept);
+TetMesh extract_superset(const Refinement& r, const Extraction& extraction) {
   TetMesh mesh;
   mesh.frame = r.world().frame();
-  copy_points(r, numbering, mesh);
-  mesh.tets.reserve(kept.size());
-  const auto& index = numbering.index;
-  for (TetId t : kept) {
+  copy_points(r, extraction, mesh);
+  mesh.tets.reserve(extraction.kept.size());
+  const auto& number = extraction.number;
+  for (TetId t : extraction.kept) {
     const auto& v = r.mesh().tet(t).v;
-    mesh.tets.push_back({index[v[0]], index[v[1]], index[v[2]], index[v[3]]});
+    mesh.tets.push_back({number[v[0]], number[v[1]], number[v[2]], number[v[3]]});
   }
   return mesh;
 }

@@ -6,6 +6,7 @@
 
 #include "refine/candidates.hpp"
 #include "refine/first_in_first_out.hpp"
+#include "refine/last_in_first_out.hpp"
 
 namespace unsliver::refine {
 
@@ -55,18 +56,11 @@ void figure_5_thrifty(Refinement& r) {
 
 void figure_5_quality(Refinement& r) {
   r.enter_phase("quality");
-  std::vector<TetId> pending;
-  const std::size_t slots = r.mesh().slot_count();
-  for (TetId first = 0; first < slots; ++first) {
-    r.mesh().prefetch_ahead(first);
-    for (pending.assign(1, first); !pending.empty();) {
-      const TetId t = pending.back();
-      pending.pop_back();
-      if (!r.mesh().is_finite(t) || !r.is_bad(t) || !r.meets_domain(t)) continue;
-      enforce_quality_thriftily(r, t);
-      pending.insert(pending.end(), r.created().begin(), r.created().end());
-    }
-  }
+  last_in_first_out(r, [&r](TetId t, std::vector<TetId>& pending) {
+    if (!r.mesh().is_finite(t) || !r.is_bad(t) || !r.meets_domain(t)) return;
+    enforce_quality_thriftily(r, t);
+    pending.insert(pending.end(), r.created().begin(), r.created().end());
+  });
 }
 
 }  // namespace unsliver::refine

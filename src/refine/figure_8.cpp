@@ -50,7 +50,7 @@ void insert(Refinement& r, const Bad& bad, const Vec3& w, Level label, double lf
 /// "There exists a point w" among these in conflict with t: the literal strategy takes the first in
 /// lexicographic order. The thrifty one prefers a point with an empty region, in a coarse lattice, near c.
 Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3> points, const char* promise) {
-  if (r.strategy() == Strategy::kThrifty) {
+  if (r.strategy() != Strategy::kLiteral) {
     std::erase_if(points, [&](const Vec3& w) { return !conflicts(r, bad.t, w); });
     const auto score = [&](const Vec3& w) {
       return lattice::canonical_level(w) -

@@ -63,6 +63,21 @@ void run_again(refine::Refinement& r, Strategy strategy) {
   r.inputs().empty() ? refine::figure_5_quality(r) : refine::figure_8_quality(r);
 }
 
+MeshStatus status_after(void (&work)(refine::Refinement&, Strategy), refine::Refinement& r,
+                        Strategy strategy) {
+  try {
+    work(r, strategy);
+    return MeshStatus::kDone;
+  } catch (const refine::Stopped& stopped) {
+    return stopped.status;
+  }
+}
+
+refine::Extraction enter_extraction(refine::Refinement& r) {
+  r.enter_phase("extract");
+  return refine::Extraction(r);
+}
+
 std::vector<std::string> notes_on_inputs(const refine::Refinement& r) {
   std::vector<std::string> notes;
   if (const std::string merged = r.inputs().sites().note(); !merged.empty()) notes.push_back(merged);
@@ -79,14 +94,13 @@ MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::s
   MeshResult result;
   refine::Refinement refinement(domain, sizing, inputs, options, control);
   result.notes = notes_on_inputs(refinement);
-  try {
-    run(refinement, options.strategy);
-    while (refine::want_dropped_proofs(refinement)) run_again(refinement, options.strategy);
-  } catch (const refine::Stopped& stopped) {
-    result.status = stopped.status;
+  result.status = status_after(run, refinement, options.strategy);
+  refine::Extraction extraction = enter_extraction(refinement);
+  while (result.status == MeshStatus::kDone && refine::want_dropped_proofs(refinement, extraction)) {
+    result.status = status_after(run_again, refinement, options.strategy);
+    extraction = enter_extraction(refinement);
   }
-  refinement.enter_phase("extract");
-  result.mesh = refine::extract_superset(refinement);
+  result.mesh = refine::extract_superset(refinement, extraction);
   refinement.finish_phases();
   result.stats = refinement.stats();
   copy_counts(refinement, result.stats);

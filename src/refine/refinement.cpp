@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <string_view>
 
 #include "octree/fit.hpp"
 #include "refine/criteria.hpp"
@@ -256,6 +257,7 @@ void Refinement::report_progress() {
 }
 
 void Refinement::enter_phase(const char* name) {
+  if (phase_ != nullptr && std::string_view(phase_) == name) return;
   finish_phases();
   phase_ = name;
   phase_start_ = std::chrono::steady_clock::now();

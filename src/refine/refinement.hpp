@@ -125,7 +125,7 @@ class Refinement {
   /// searches. \throws Stopped
   void poll();
 
-  /// Names the phase for progress reports and closes the timing of the one before.
+  /// Names the phase for progress reports and closes the timing of the one before, if it is another.
   void enter_phase(const char* name);
   void finish_phases();
 

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "refine/guarantees.hpp"
+#include "refine/last_in_first_out.hpp"
 
 namespace unsliver::refine {
 
@@ -39,25 +40,18 @@ class Sweeps {
   /// Visits every tetrahedron of which no more than `least` is known, those made on the way included.
   template <class FindEmptyBall>
   void sweep(Known least, FindEmptyBall find) {
-    std::vector<TetId> pending;
     known_.resize(r_.mesh().slot_count(), Known::kNothing);
-    const std::size_t slots = r_.mesh().slot_count();
-    for (TetId first = 0; first < slots; ++first) {
-      r_.mesh().prefetch_ahead(first);
-      for (pending.assign(1, first); !pending.empty();) {
-        const TetId t = pending.back();
-        pending.pop_back();
-        if (known_[t] > least || !r_.mesh().is_finite(t)) continue;
-        if (const auto ball = find(t)) {
-          const std::span<const TetId> made = insert_(search_, *ball, t);
-          forget(made);
-          pending.push_back(t);  // it may survive: w can lie outside its circumsphere
-          pending.insert(pending.end(), made.begin(), made.end());
-        } else {
-          known_[t] = least == Known::kNothing && search_.open_question() ? Known::kOpen : Known::kCovered;
-        }
+    last_in_first_out(r_, [&](TetId t, std::vector<TetId>& pending) {
+      if (known_[t] > least || !r_.mesh().is_finite(t)) return;
+      if (const auto ball = find(t)) {
+        const std::span<const TetId> made = insert_(search_, *ball, t);
+        forget(made);
+        pending.push_back(t);  // it may survive: w can lie outside its circumsphere
+        pending.insert(pending.end(), made.begin(), made.end());
+      } else {
+        known_[t] = least == Known::kNothing && search_.open_question() ? Known::kOpen : Known::kCovered;
       }
-    }
+    });
   }
 
   void forget(std::span<const TetId> made) {

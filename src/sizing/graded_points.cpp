@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/plural.hpp"
 #include "sizing/checks.hpp"
 #include "sizing/cone_field.hpp"
 #include "unsliver/error.hpp"
@@ -18,7 +19,8 @@ class GradedFromPoints final : public Sizing {
   double lipschitz() const override { return gradation_; }
 
   std::string describe() const override {
-    return fmt::format("graded from {} point(s), gradation {}, at most {}", cones_.size(), gradation_, cap_);
+    return fmt::format("graded from {}, gradation {}, at most {}", plural(cones_.size(), "point", "points"),
+                       gradation_, cap_);
   }
 
  private:

@@ -15,7 +15,7 @@ struct DirectedEdge {
   }
 };
 
-std::vector<DirectedEdge> edges_of(const std::vector<std::array<VertexId, 3>>& facets) {
+std::vector<DirectedEdge> edges_of(const std::vector<Facet>& facets) {
   std::vector<DirectedEdge> edges;
   edges.reserve(3 * facets.size());
   for (const auto& f : facets) {
@@ -28,7 +28,7 @@ std::vector<DirectedEdge> edges_of(const std::vector<std::array<VertexId, 3>>& f
   return edges;
 }
 
-std::size_t count_vertices(const std::vector<std::array<VertexId, 3>>& facets, std::size_t point_count) {
+std::size_t count_vertices(const std::vector<Facet>& facets, std::size_t point_count) {
   std::vector<bool> seen(point_count, false);
   for (const auto& f : facets) {
     for (const VertexId v : f) seen[v] = true;
@@ -38,7 +38,7 @@ std::size_t count_vertices(const std::vector<std::array<VertexId, 3>>& facets, s
 
 }  // namespace
 
-void check_boundary(const Context& c, const std::vector<std::array<VertexId, 3>>& facets) {
+void check_boundary(const Context& c, const std::vector<Facet>& facets) {
   const auto edges = edges_of(facets);
   std::size_t edge_count = 0, pinched = 0;
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "verify/orientation.hpp"
+#include "verify/holders.hpp"
 #include "verify/sampling_checks.hpp"
 
 namespace unsliver::verifier {
@@ -33,28 +33,10 @@ void find_overlap(const Context& c, VertexId point, std::uint32_t first, std::ui
   });
 }
 
-void add_counts(const Context& c, const SignCounts& counts) {
-  c.reporter.report().exact_decisions += counts.exact;
-  c.reporter.report().filtered_decisions += counts.filtered;
-}
-
-/// The corners and the middles of the faces of the cube of this half side about p.
-std::vector<Vec3> around(const Vec3& p, double half) {
-  std::vector<Vec3> points;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double step : {-half, half}) {
-      points.push_back(p);
-      points.back()[axis] += step;
-    }
-  for (int i = 0; i < 8; ++i)
-    points.push_back(p + half * Vec3{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
-  return points;
-}
-
 /// Is all that the tolerance may take for the point strictly inside the tetrahedron?
 bool holds_deeply(const Context& c, std::uint32_t tet, VertexId point) {
   const Tet corners = c.mesh.corners(tet);
-  const std::vector<Vec3> points = around(c.options.must_cover[point], c.options.cover_tolerance);
+  const std::vector<Vec3> points = around(c, c.options.must_cover[point]);
   SignCounts counts;
   const bool deep = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
     return locate_in_tet(corners, p, counts) == Side::kInside;
@@ -73,42 +55,6 @@ bool find_deep_overlap(const Context& c, VertexId point, std::uint32_t& holder, 
   }
   find_overlap(c, point, holder, other);
   return true;
-}
-
-/// Visits every pair of a tetrahedron and a point that it holds: found(id, tetrahedron, strictly inside).
-template <class Found>
-void visit_holders(const Context& c, const std::vector<Vec3>& points, const std::vector<VertexId>& ids,
-                   const Found& found) {
-  const KdTree tree(points, ids);
-  SignCounts counts;
-  for (std::uint32_t t = 0; t < c.mesh.tets.size(); ++t) {
-    c.pulse.beat();
-    const Tet corners = c.mesh.corners(t);
-    tree.visit_box(bounding_box(corners), [&](VertexId id, const Vec3& p) {
-      const Side side = locate_in_tet(corners, p, counts);
-      if (side != Side::kOutside) found(id, t, side == Side::kInside);
-    });
-  }
-  add_counts(c, counts);
-}
-
-/// Those of `missed` that have no covered point within the tolerance either.
-std::vector<VertexId> still_missed(const Context& c, const std::vector<VertexId>& missed) {
-  if (c.options.cover_tolerance == 0 || missed.empty()) return missed;
-  std::vector<Vec3> points;
-  std::vector<VertexId> ids;
-  for (const VertexId id : missed)
-    for (const Vec3& p : around(c.options.must_cover[id], c.options.cover_tolerance)) {
-      ids.push_back(static_cast<VertexId>(points.size()));
-      points.push_back(p);
-    }
-  const std::size_t per_point = points.size() / missed.size();
-  std::vector<bool> covered(missed.size());
-  visit_holders(c, points, ids, [&](VertexId id, std::uint32_t, bool) { covered[id / per_point] = true; });
-  std::vector<VertexId> left;
-  for (std::size_t i = 0; i < missed.size(); ++i)
-    if (!covered[i]) left.push_back(missed[i]);
-  return left;
 }
 
 std::string verdict(const Context& c, std::uint64_t missed, std::uint64_t tolerated, std::uint64_t thin) {
@@ -137,13 +83,14 @@ void check_cover(const Context& c) {
   std::vector<VertexId> missed;
   for (const VertexId id : ids)
     if (cover[id].holder == kNoVertex) missed.push_back(id);
-  const std::vector<VertexId> left = still_missed(c, missed);
+  const std::vector<VertexId> left = missed_by_more(c, points, missed);
   for (const VertexId id : left)
     c.reporter.find("cover", {id}, [&] {
       return "point " + std::to_string(id) + " at " + full(points[id]) + " is in no tetrahedron";
     });
-  c.reporter.line("cover: " + grouped(points.size()) + " points, " +
-                  verdict(c, c.reporter.count("cover"), missed.size() - left.size(), thin_overlaps));
+  c.reporter.line(
+      "cover: " + grouped(points.size()) + " points, " +
+      verdict(c, points.size() - ids.size() + left.size(), missed.size() - left.size(), thin_overlaps));
 }
 
 }  // namespace unsliver::verifier

@@ -17,15 +17,6 @@ struct Half {
   std::uint64_t key() const { return std::uint64_t{low()} << 32 | high(); }
 };
 
-/// Corners of the face opposite to corner i, counter-clockwise from outside of a positive tetrahedron.
-constexpr std::array<std::array<int, 3>, 4> kFace{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
-std::array<VertexId, 3> face_from_smallest(const std::array<VertexId, 4>& tet, int i) {
-  const VertexId a = tet[kFace[i][0]], b = tet[kFace[i][1]], c = tet[kFace[i][2]];
-  if (a < b && a < c) return {a, b, c};
-  return b < c ? std::array{b, c, a} : std::array{c, a, b};
-}
-
 VertexId smallest_of_face(const std::array<VertexId, 4>& tet, int i) {
   return std::min({tet[kFace[i][0]], tet[kFace[i][1]], tet[kFace[i][2]]});
 }
@@ -47,7 +38,7 @@ Buckets fill_buckets(const TetMesh& mesh, Pulse& pulse) {
   b.halves.resize(4 * mesh.tets.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (int i = 0; i < 4; ++i) {
-      const auto face = face_from_smallest(mesh.tets[t], i);
+      const Facet face = face_from_smallest(mesh.tets[t], i);
       b.halves[b.start[face[0] + 1]++] = {face[1], face[2], static_cast<std::uint32_t>(t)};
     }
     pulse.beat();

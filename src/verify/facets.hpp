@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "verify/facet.hpp"
 #include "verify/pulse.hpp"
 #include "verify/report.hpp"
 
@@ -14,8 +15,8 @@ struct Facets {
   /// 4 per tetrahedron. Entry 4 t + i is the vertex beyond the facet of t opposite to corner i, given for the
   /// one of the two tetrahedra with the smaller id only; kNoVertex elsewhere.
   std::vector<VertexId> beyond;
-  /// Facets of exactly one tetrahedron, seen counter-clockwise from outside where it is positively oriented.
-  std::vector<std::array<VertexId, 3>> boundary;
+  /// Those of exactly one tetrahedron.
+  std::vector<Facet> boundary;
   std::uint64_t interior = 0;  ///< facets of exactly two tetrahedra
 };
 

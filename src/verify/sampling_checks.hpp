@@ -3,6 +3,7 @@
 #pragma once
 
 #include "verify/context.hpp"
+#include "verify/facet.hpp"
 #include "verify/kd_tree.hpp"
 
 namespace unsliver::verifier {
@@ -15,6 +16,10 @@ void check_size(const Context& context, const KdTree& vertices, const std::vecto
 /// Findings "cover": a point of must_cover in no (closed) tetrahedron, or strictly inside two ("overlap"),
 /// both but for cover_tolerance.
 void check_cover(const Context& context);
+
+/// Findings "cover": just beyond a facet that the mesh ends at, a point of the domain is in no tetrahedron,
+/// but for cover_tolerance. Requires: inside.
+void check_holes(const Context& context, const std::vector<Facet>& boundary);
 
 /// Findings "grading": a vertex nearer to another than grading_constant * lfs_lower_bound(v) (1 - 1e-12).
 void check_grading(const Context& context, const KdTree& vertices, const std::vector<VertexId>& used);

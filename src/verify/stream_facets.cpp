@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "verify/holes.hpp"
 #include "verify/shape.hpp"
 
 namespace unsliver::verifier {
@@ -9,22 +10,22 @@ namespace {
 
 constexpr std::uint64_t kBlock = 1024;                           // vertices
 constexpr std::uint64_t kMostInMemory = std::uint64_t{1} << 22;  // facets, 24 bytes each; vertices
-constexpr std::array<std::array<int, 3>, 4> kFace{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// Corners in cyclic order seen from outside, the smallest first.
 struct Half {
   VertexId smallest, second, third;
 
   VertexId low() const { return std::min(second, third); }
+  Facet facet() const { return {smallest, second, third}; }
   std::uint64_t key() const { return std::uint64_t{low()} << 32 | std::max(second, third); }
 };
 
 /// Calls visit(half) for the four facets.
 template <class Visit>
 void for_each_half(const std::array<VertexId, 4>& tet, const Visit& visit) {
-  for (const auto& face : kFace) {
-    const VertexId a = tet[face[0]], b = tet[face[1]], c = tet[face[2]];
-    visit(a < b && a < c ? Half{a, b, c} : b < c ? Half{b, c, a} : Half{c, a, b});
+  for (int i = 0; i < 4; ++i) {
+    const Facet f = face_from_smallest(tet, i);
+    visit(Half{f[0], f[1], f[2]});
   }
 }
 
@@ -81,22 +82,11 @@ class Matcher {
     return c_.head.frame.origin + c_.head.frame.unit * Vec3{double(q[0]), double(q[1]), double(q[2])};
   }
 
-  /// Just beyond: the domain may end in the facet itself.
   void check_cover(const Half& h) {
-    constexpr double kBeyond = 1e-6;  // of an edge, about
-    const std::array<Vec3, 3> corners{point(h.smallest), point(h.second), point(h.third)};
-    const Vec3 normal = unsliver::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const Vec3 center = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
-    const Vec3 step = kBeyond / std::sqrt(norm(normal)) * normal;
-    for (const Vec3& p :
-         {center, 0.5 * (center + corners[0]), 0.5 * (center + corners[1]), 0.5 * (center + corners[2])}) {
-      if (!c_.options.inside(p + step)) continue;
-      c_.reporter.find("cover", {h.smallest, h.second, h.third}, [&] {
-        return "the domain is on both sides of " + name_of(h) + " near " + full(p) +
-               ", and only one tetrahedron is there";
-      });
-      return;
-    }
+    const auto beyond = points_beyond({point(h.smallest), point(h.second), point(h.third)});
+    const auto p =
+        std::find_if(beyond.begin(), beyond.end(), [&](const Vec3& q) { return c_.options.inside(q); });
+    if (p != beyond.end()) find_hole(c_.reporter, h.facet(), *p);
   }
 
   /// Six times the volume between the facet and some one point.
@@ -111,12 +101,8 @@ class Matcher {
   }
 
   void find(const Half& h, const std::string& fault) {
-    c_.reporter.find("conformity", {h.smallest, h.second, h.third}, [&] { return name_of(h) + " " + fault; });
-  }
-
-  static std::string name_of(const Half& h) {
-    return "facet " + std::to_string(h.smallest) + " " + std::to_string(h.second) + " " +
-           std::to_string(h.third);
+    c_.reporter.find("conformity", {h.smallest, h.second, h.third},
+                     [&] { return name_of(h.facet()) + " " + fault; });
   }
 
   const StreamContext& c_;

@@ -1,9 +1,8 @@
 #include "verify/stream_points.hpp"
 
-#include <bit>
-
 #include "verify/lattice_check.hpp"
 #include "verify/point_pages.hpp"
+#include "verify/same_place.hpp"
 
 namespace unsliver::verifier {
 namespace {
@@ -54,15 +53,6 @@ class PointCheck {
   std::array<GridAxis, 3> axes_;
 };
 
-std::uint64_t hash_of(const Vec3& p) {
-  std::uint64_t h = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    h = (h ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 32;
-  }
-  return h;
-}
-
 struct HashedVertex {
   std::uint64_t hash;
   std::uint64_t vertex;
@@ -82,10 +72,8 @@ void compare_neighbors(const StreamContext& c, std::vector<HashedVertex>& part) 
     if (part[i - 1].hash != part[i].hash) continue;
     const std::uint64_t a = part[i - 1].vertex, b = part[i].vertex;
     const Vec3 p = point_of(c, a);
-    if (p != point_of(c, b)) continue;
-    c.reporter.find("conformity", {static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)}, [&] {
-      return "vertices " + std::to_string(a) + " and " + std::to_string(b) + " are both at " + full(p);
-    });
+    if (p == point_of(c, b))
+      find_coincident(c.reporter, static_cast<std::int64_t>(a), static_cast<std::int64_t>(b), p);
   }
 }
 

@@ -1,7 +1,8 @@
 #include "verify/structure.hpp"
 
 #include <algorithm>
-#include <bit>
+
+#include "verify/same_place.hpp"
 
 namespace unsliver::verifier {
 namespace {
@@ -56,26 +57,15 @@ void check_coordinates(const Context& c) {
   }
 }
 
-void check_frame(const Context& c) {
-  if (!c.mesh.frame) return;
-  const Frame& f = *c.mesh.frame;
+}  // namespace
+
+void check_frame(const Frame& f, Reporter& reporter) {
   if (std::isfinite(f.unit) && f.unit > 0 && is_finite(f.origin)) return;
-  c.reporter.find("coordinates", {}, [&] {
+  reporter.find("coordinates", {}, [&] {
     return "the frame has unit " + full(f.unit) + " and origin " + full(f.origin) +
            ": expected a positive unit and finite numbers";
   });
 }
-
-std::uint64_t hash_of(const Vec3& p) {
-  std::uint64_t h = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    h = (h ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 32;
-  }
-  return h;
-}
-
-}  // namespace
 
 bool check_structure(const Context& c) {
   check_arrays(c);
@@ -84,7 +74,7 @@ bool check_structure(const Context& c) {
     check_simplex(c, c.mesh.triangles[t], t, "triangle");
   }
   check_coordinates(c);
-  check_frame(c);
+  if (c.mesh.frame) check_frame(*c.mesh.frame, c.reporter);
   const std::string size =
       count_of(c.mesh.points.size(), "points, ") + count_of(c.mesh.tets.size(), "tetrahedra");
   if (c.reporter.report().ok) {
@@ -115,11 +105,8 @@ void check_coincident(const Context& c, const std::vector<VertexId>& used) {
   std::sort(order.begin(), order.end());
   for (std::size_t i = 1; i < order.size(); ++i) {
     const VertexId a = order[i - 1].second, b = order[i].second;
-    if (order[i - 1].first != order[i].first || !(c.mesh.points[a] == c.mesh.points[b])) continue;
-    c.reporter.find("conformity", {a, b}, [&] {
-      return "vertices " + std::to_string(a) + " and " + std::to_string(b) + " are both at " +
-             full(c.mesh.points[a]);
-    });
+    if (order[i - 1].first != order[i].first || c.mesh.points[a] != c.mesh.points[b]) continue;
+    find_coincident(c.reporter, a, b, c.mesh.points[a]);
   }
 }
 

@@ -8,6 +8,9 @@
 
 namespace unsliver::verifier {
 
+/// Finding "coordinates" for a frame that is no grid of integers.
+void check_frame(const Frame& frame, Reporter& reporter);
+
 /// Findings "index" and "coordinates". False: no other check may run.
 bool check_structure(const Context& context);
 

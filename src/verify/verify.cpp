@@ -1,7 +1,5 @@
 #include "unsliver/verify.hpp"
 
-#include <optional>
-
 #include "verify/boundary_check.hpp"
 #include "verify/context.hpp"
 #include "verify/delaunay_global.hpp"
@@ -12,6 +10,7 @@
 #include "verify/sites.hpp"
 #include "verify/structure.hpp"
 #include "verify/tetrahedra_check.hpp"
+#include "verify/until_cancelled.hpp"
 
 namespace unsliver {
 namespace verifier {
@@ -38,6 +37,7 @@ std::vector<VertexId> check_facets(const Context& c) {
                     grouped(facets.boundary.size()) + " in one" +
                     (wrong == 0 ? "" : "; " + grouped(wrong) + " defects"));
     check_boundary(c, facets.boundary);
+    if (c.options.inside) check_holes(c, facets.boundary);
   }
   return c.options.delaunay ? std::move(facets.beyond) : std::vector<VertexId>{};
 }
@@ -83,13 +83,7 @@ VerifyReport verify(const TetMesh& mesh, const VerifyOptions& options, const Con
   VerifyReport report;
   Reporter reporter(report, options.max_findings);
   Pulse pulse(control, expected_beats(mesh, options), mesh.points.size(), mesh.tets.size());
-  try {
-    run({mesh, options, reporter, pulse});
-  } catch (const Cancelled&) {
-    reporter.find("cancelled", {},
-                  [] { return std::string("the verification was cancelled before its end"); });
-    reporter.line("cancelled: the checks that are not listed above were not finished");
-  }
+  run_until_cancelled(reporter, [&] { run({mesh, options, reporter, pulse}); });
   return report;
 }
 

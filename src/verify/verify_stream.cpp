@@ -1,16 +1,15 @@
 #include "unsliver/verify_stream.hpp"
 
+#include "verify/holes.hpp"
 #include "verify/shape_census.hpp"
 #include "verify/stream_facets.hpp"
 #include "verify/stream_points.hpp"
+#include "verify/structure.hpp"
+#include "verify/until_cancelled.hpp"
 
 namespace unsliver {
 namespace verifier {
 namespace {
-
-bool is_sound(const unsliver::Frame& frame) {
-  return std::isfinite(frame.unit) && frame.unit > 0 && is_finite(frame.origin);
-}
 
 /// The first pass over the tetrahedra: can they be read, which shapes have they, where are their facets?
 class TetPass {
@@ -77,20 +76,13 @@ class TetPass {
   FacetMap map_;
 };
 
-void report_cover(const StreamContext& c, std::uint64_t boundary) {
-  const std::uint64_t wrong = c.reporter.count("cover");
-  c.reporter.line("cover: beyond " + grouped(boundary) + " facets in one tetrahedron there is " +
-                  (wrong == 0 ? "nothing of the domain" : "more of the domain " + grouped(wrong) + " times") +
-                  ", by " + grouped(4 * boundary) + " samples");
-}
-
 void check_facets(const StreamContext& c, const TetPass& pass, PointPages& points) {
   const FacetCounts facets = match_stream_facets(c, pass.facets(), points);
   const std::uint64_t wrong = c.reporter.count("conformity");
   c.reporter.line("conformity: " + grouped(facets.interior) + " facets in two tetrahedra, " +
                   grouped(facets.boundary) + " in one" +
                   (wrong == 0 ? "" : "; " + grouped(wrong) + " defects"));
-  if (c.options.inside) report_cover(c, facets.boundary);
+  if (c.options.inside) report_holes(c.reporter, facets.boundary, c.reporter.count("cover"));
   const BigInt six_volumes = pass.census().six_volumes();
   const double unit = c.head.frame.unit;
   VerifyReport& report = c.report;
@@ -107,11 +99,7 @@ void check_facets(const StreamContext& c, const TetPass& pass, PointPages& point
 }
 
 bool check_head(const StreamContext& c) {
-  if (!is_sound(c.head.frame))
-    c.reporter.find("coordinates", {}, [&] {
-      return "the frame has unit " + full(c.head.frame.unit) + " and origin " + full(c.head.frame.origin) +
-             ": expected a positive unit and finite numbers";
-    });
+  check_frame(c.head.frame, c.reporter);
   if (c.head.vertices >= kNoVertex || (c.head.vertices == 0 && c.head.tets > 0))
     c.reporter.find("index", {}, [&] {
       return "there are " + grouped(c.head.vertices) + " vertices, more or less than can be";
@@ -144,13 +132,7 @@ StreamVerifyReport verify_stream(MeshSource& source, const StreamVerifyOptions& 
   Reporter reporter(report, options.max_findings);
   const MeshHead head = source.head();
   Pulse pulse(control, 2 * (head.vertices + head.tets), head.vertices, head.tets);
-  try {
-    run({source, head, options, report, reporter, pulse});
-  } catch (const Cancelled&) {
-    reporter.find("cancelled", {},
-                  [] { return std::string("the verification was cancelled before its end"); });
-    reporter.line("cancelled: the checks that are not listed above were not finished");
-  }
+  run_until_cancelled(reporter, [&] { run({source, head, options, report, reporter, pulse}); });
   return report;
 }
 

@@ -147,8 +147,8 @@ class Check(StreamTest):
             file.seek(offset)
             file.write(struct.pack(layout, *values))
 
-    def faults(self, *arguments):
-        result = self.run_program("check", "out", "--json", "check.json", "--against", "cube.off", *arguments)
+    def faults(self, *arguments, mesh="out"):
+        result = self.run_program("check", mesh, "--json", "check.json", "--against", "cube.off", *arguments)
         self.assertEqual(result.returncode, 1, result.stderr)
         return {finding["check"] for finding in self.report("check.json")["verify"]["findings"]}
 
@@ -198,6 +198,8 @@ class Check(StreamTest):
         manifest["tets"] -= 1
         self.write("out/manifest.json", json.dumps(manifest))
         self.assertEqual(self.faults(), {"cover"})
+        self.succeed("convert", "out", "whole.vtu")
+        self.assertEqual(self.faults(mesh="whole.vtu"), {"cover"})
 
     def tet_near_the_middle(self, tets):
         points = list(struct.iter_unpack("<3d", (self.folder / "out" / "points.f64").read_bytes()))

@@ -244,6 +244,16 @@ TEST(SurfaceDomain, SphereHasItsVolumeAndNoNotes) {
   EXPECT_GT(domain->clearance({1, 2, 13}), 5);
 }
 
+TEST(SurfaceDomain, CountsItsTriangles) {
+  TriangleMesh m;
+  m.name = "flag.off";
+  m.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
+  m.triangles = {{0, 1, 2}};
+  EXPECT_EQ(make_surface(m)->describe(), "surface flag.off, 1 triangle, open");
+  m.triangles.push_back({1, 3, 2});
+  EXPECT_EQ(make_surface(m)->describe(), "surface flag.off, 2 triangles, open");
+}
+
 TEST(SurfaceDomain, IsDeterministic) {
   const TriangleMesh m = joined(cup(4), sphere_surface({1.5, 1.5, 3}, 0.7, 5));
   const DomainPtr a = make_surface(m), b = make_surface(m);

@@ -130,8 +130,8 @@ TEST(Expression, FaultsNameTheirColumn) {
   names("2x", "2", "expected an operator");
   names("foo(1)", "1", "expected one of x, y, z");
   names("sin x", "5", "expected \"(\"");
-  names("sin(x, y)", "9", "1 argument(s) of sin");
-  names("atan2(1)", "8", "2 argument(s) of atan2");
+  names("sin(x, y)", "9", "1 argument of sin");
+  names("atan2(1)", "8", "2 arguments of atan2");
   names("min(1)", "6", "at least 2 arguments of min");
   names("(1", "3", "expected \")\"");
   names("1)", "2", "expected an operator");

@@ -42,6 +42,13 @@ TEST(GradedFromPoints, OneSizeServesAllPointsAndTheCapMayBeInfinite) {
   EXPECT_DOUBLE_EQ(s->at({1e6, 0, 0}), 0.5 + 0.1 * (1e6 - 10));
 }
 
+TEST(GradedFromPoints, CountsThePoints) {
+  EXPECT_EQ(graded_from_points({{0, 0, 0}}, {1}, 0.5, 2)->describe(),
+            "graded from 1 point, gradation 0.5, at most 2");
+  EXPECT_EQ(graded_from_points({{0, 0, 0}, {1, 0, 0}}, {1}, 0.5, 2)->describe(),
+            "graded from 2 points, gradation 0.5, at most 2");
+}
+
 TEST(GradedFromPoints, NamesTheBadPoint) {
   using Points = std::vector<Vec3>;
   const Points two{{0, 0, 0}, {1, 2, 3}};

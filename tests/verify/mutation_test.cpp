@@ -104,6 +104,66 @@ TEST(Mutation, DeletedTetrahedronOpensTheCover) {
       o);
 }
 
+/// A tetrahedron that no point given is in.
+TEST(Mutation, DeletedTetrahedronLeavesAHole) {
+  VerifyOptions o = tight();
+  o.inside = [](const Vec3& p) { return std::min({p.x, p.y, p.z}) >= 4 && std::max({p.x, p.y, p.z}) <= 44; };
+  const auto remove = [&](TetMesh& m, auto& random) {
+    std::size_t t = any_tet(m, random);
+    const auto inside = [&](std::size_t tet) {
+      const Tet corners = m.corners(tet);
+      return std::all_of(corners.begin(), corners.end(), o.inside);
+    };
+    while (!inside(t)) t = any_tet(m, random);
+    m.tets.erase(m.tets.begin() + std::ptrdiff_t(t));
+    EXPECT_EQ(findings(verify(m, o))["cover"], 4) << "one a facet";
+  };
+  expect_caught("cover", remove, o);
+  o.conforming_superset = false;
+  TetMesh mesh = bcc_mesh({.cells = {6, 6, 6}});
+  mesh.tets.erase(mesh.tets.begin() + std::ptrdiff_t(mesh.tets.size() / 2));
+  EXPECT_TRUE(verify(mesh, o).ok) << "not asked for";
+}
+
+/// Two tetrahedra on either side of z = 0, with no vertex in common, and a gap between them.
+VerifyReport judge_touching(double gap, double tolerance) {
+  TetMesh mesh = single_tet({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}}});
+  for (const Vec3 p : {Vec3{-90, -90, 0}, Vec3{-90, 200, 0}, Vec3{200, -90, 0}, Vec3{0, 0, -90}})
+    mesh.points.push_back(p - Vec3{0, 0, gap});
+  mesh.tets.push_back({4, 5, 6, 7});
+  VerifyOptions o;
+  o.inside = [](const Vec3& p) { return p.x > 0 && p.y > 0 && p.x + p.y < 7 && std::abs(p.z) < 0.5; };
+  o.cover_tolerance = tolerance;
+  return verify(mesh, o);
+}
+
+TEST(Mutation, AHoleIsWhereNoOtherTetrahedronIs) {
+  EXPECT_TRUE(judge_touching(0, 0).ok) << text(judge_touching(0, 0));
+  const VerifyReport r = judge_touching(1e-3, 0);
+  ASSERT_EQ(findings(r)["cover"], 1) << text(r);
+  EXPECT_EQ(r.finding_count, 1u) << text(r);
+  EXPECT_EQ(r.findings[0].ids, (std::vector<std::int64_t>{0, 2, 1}));
+  EXPECT_TRUE(judge_touching(1e-3, 2e-3).ok) << "within the tolerance";
+}
+
+TEST(Mutation, AHoleIsSeenAtAnyScale) {
+  for (const double scale : {1e-100, 1e-6, 1e6, 1e100}) {
+    TetMesh mesh = bcc_mesh({.cells = {3, 3, 3}, .frame = false});
+    for (Vec3& p : mesh.points) p = scale * p;
+    mesh.levels.clear();
+    VerifyOptions o;
+    o.inside = [scale](const Vec3& p) {
+      return std::min({p.x, p.y, p.z}) >= 4 * scale && std::max({p.x, p.y, p.z}) <= 20 * scale;
+    };
+    EXPECT_TRUE(verify(mesh, o).ok) << scale << text(verify(mesh, o));
+    const Vec3 middle = scale * Vec3{12, 12, 12};
+    std::erase_if(mesh.tets, [&](const auto& t) {
+      return std::any_of(t.begin(), t.end(), [&](VertexId v) { return mesh.points[v] == middle; });
+    });
+    EXPECT_GT(findings(verify(mesh, o))["cover"], 0) << scale;
+  }
+}
+
 TEST(Mutation, DuplicatedTetrahedron) {
   expect_caught("conformity", [](TetMesh& m, auto& random) {
     auto copy = m.tets[any_tet(m, random)];
@@ -140,6 +200,16 @@ TEST(Mutation, SplitVertexLeavesACrack) {
     m.levels.push_back(m.levels[v]);
     v = VertexId(m.points.size() - 1);
   });
+}
+
+TEST(Mutation, TheTwoZerosAreOnePlace) {
+  TetMesh mesh = single_tet({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  for (const Vec3 p : {Vec3{-0.0, 0, -0.0}, Vec3{-1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, -1}})
+    mesh.points.push_back(p);
+  mesh.tets.push_back({4, 5, 7, 6});
+  const VerifyReport r = verify(mesh, {});
+  ASSERT_EQ(findings(r)["conformity"], 1) << text(r);
+  EXPECT_EQ(r.findings[0].ids, (std::vector<std::int64_t>{0, 4}));
 }
 
 TEST(Mutation, NotANumber) {
@@ -212,7 +282,7 @@ TEST(Mutation, MissingVertexBreaksTheSizeBound) {
   EXPECT_EQ(findings(verify(bcc_mesh(), o))["size"], 1) << "an untested bound must not pass";
   o.inside = [](const Vec3&) { return true; };
   o.size = [](const Vec3&) { return NAN; };
-  EXPECT_EQ(verify(bcc_mesh(), o).finding_count, o.size_samples);
+  EXPECT_EQ(findings(verify(bcc_mesh(), o))["size"], o.size_samples);
 }
 
 TEST(Mutation, GradingBelowItsBound) {
