@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/huge_pages.hpp"
 #include "octree/balance.hpp"
 #include "octree/box_faces.hpp"
 #include "octree/emission.hpp"
@@ -152,14 +153,14 @@ class Run {
     mesh_.frame = world().frame();
     const std::size_t vertices = emission_->vertex_count(), tets = emission_->tet_count();
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
-    mesh_.points.resize(vertices);
-    mesh_.levels.resize(vertices);
+    resize_on_huge_pages(mesh_.points, vertices);
+    resize_on_huge_pages(mesh_.levels, vertices);
     emission_->write_points([this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
       mesh_.points[v] = world().to_caller(p);
       mesh_.levels[v] = guest_ != nullptr ? guest_->on_vertex(v, p, owner, forest_[owner.node])
                                           : std::uint8_t(lattice::canonical_level(p));
     });
-    mesh_.tets.resize(tets);
+    resize_on_huge_pages(mesh_.tets, tets);
     emission_->write_tets(mesh_.tets.data());
     if (guest_ != nullptr) guest_->complete(mesh_);
   }
