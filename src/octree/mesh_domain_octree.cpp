@@ -60,7 +60,7 @@ class Run {
     prepare();
     enter("emit");
     write();
-    if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_);
+    if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_, options_.threads);
   }
 
   void stream(MeshSink& sink) {
@@ -114,7 +114,8 @@ class Run {
                    {options_.threads, options_.all_centers, ground_.root_flags,
                     [this](std::uint64_t bytes) { poll(bytes); }});
     enter("balance");
-    stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
+    stats_.balance_splits = balance(
+        forest_, [this](const Cell& cell) { set_child_flags(cell); }, options_.threads);
     if (guest_ != nullptr) {
       enter("points");
       guest_->on_forest(forest_);
@@ -155,12 +156,12 @@ class Run {
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
     resize_on_huge_pages(mesh_.points, vertices);
     resize_on_huge_pages(mesh_.levels, vertices);
-    emission_->write_points([this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
+    const auto place = [this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
       mesh_.points[v] = world().to_caller(p);
       mesh_.levels[v] = guest_ != nullptr ? guest_->on_vertex(v, p, owner, forest_[owner.node])
                                           : std::uint8_t(lattice::canonical_level(p));
-    });
-    resize_on_huge_pages(mesh_.tets, tets);
+    };
+    emission_->write_points(place, [this, tets] { resize_on_huge_pages(mesh_.tets, tets); });
     emission_->write_tets(mesh_.tets.data());
     if (guest_ != nullptr) guest_->complete(mesh_);
   }
