@@ -104,7 +104,7 @@ class PodVector {
     offset_ = offset;
     data_ = reinterpret_cast<T*>(moved + offset);
     capacity_ = n;
-    prefer_huge_pages(data_, capacity_ * sizeof(T));
+    HugePages(data_, capacity_ * sizeof(T)).prefer();
   }
 
   static constexpr std::size_t kCacheLine = 64;

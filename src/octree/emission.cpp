@@ -187,17 +187,14 @@ void Emission::number(VertexId first) {
   });
 }
 
-void Emission::write_points(const std::function<void(VertexId, const Vec3&, const Cell&, unsigned)>& place,
-                            const std::function<void()>& beside) {
-  const auto write = [&](const Task& task, unsigned worker) {
+void Emission::write_points(const std::function<void(VertexId, const Vec3&, const Cell&, unsigned)>& place) {
+  run_tasks([&](Task& task, unsigned worker) {
     auto next = VertexId(task.first_vertex);
     for_each_cell(forest_, task.cell, [&](const Cell& cell) {
       for (unsigned used = forest_[cell.node].used; used != 0; used &= used - 1)
         place(next++, own_point(cell, std::countr_zero(used)), cell, worker);
     });
-  };
-  for_each_task(tasks_.size() + 1, settings_.threads,
-                [&](std::size_t i, unsigned worker) { i == 0 ? beside() : write(tasks_[i - 1], worker); });
+  });
 }
 
 /// Writes the tetrahedra of one task.

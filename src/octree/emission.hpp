@@ -37,10 +37,8 @@ class Emission {
   /// at 2^31.
   void number(VertexId first = 0);
   /// Calls place(number, world point, its owner, the thread's number) for each vertex, from all threads; in
-  /// each ascending, but for jumps. And calls beside(), from one of them.
-  void write_points(
-      const std::function<void(VertexId, const Vec3&, const Cell&, unsigned)>& place,
-      const std::function<void()>& beside = [] {});
+  /// each ascending, but for jumps.
+  void write_points(const std::function<void(VertexId, const Vec3&, const Cell&, unsigned)>& place);
   /// Writes tet_count() tetrahedra, positively oriented.
   void write_tets(std::array<VertexId, 4>* out);
   /// Or hands them over, some at a time with the number of the first, from all threads.
