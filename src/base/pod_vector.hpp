@@ -6,6 +6,10 @@
 /// at a cache line, so that records of 32 bytes never straddle two.
 #pragma once
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -14,8 +18,6 @@
 #include <span>
 #include <type_traits>
 #include <utility>
-
-#include "base/huge_pages.hpp"
 
 namespace unsliver {
 
@@ -104,7 +106,17 @@ class PodVector {
     offset_ = offset;
     data_ = reinterpret_cast<T*>(moved + offset);
     capacity_ = n;
-    HugePages(data_, capacity_ * sizeof(T)).prefer();
+    use_huge_pages();
+  }
+
+  /// Random access over hundreds of megabytes misses the page tables' cache as often as the data's.
+  void use_huge_pages() {
+#ifdef __linux__
+    constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(data_) + kHugePage - 1) & ~(kHugePage - 1);
+    const auto end = reinterpret_cast<std::uintptr_t>(data_ + capacity_) & ~(kHugePage - 1);
+    if (end > begin + 4 * kHugePage) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
   }
 
   static constexpr std::size_t kCacheLine = 64;

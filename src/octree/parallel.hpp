@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/huge_pages.hpp"
+#include "base/page_pieces.hpp"
 
 namespace unsliver::octree {
 
@@ -47,9 +47,8 @@ void for_each_task(std::size_t count, unsigned threads, const Work& work) {
 template <class T>
 void resize_together(std::vector<T>& array, std::size_t n, unsigned threads) {
   array.reserve(n);
-  const HugePages pages(array.data(), n * sizeof(T));
-  pages.prefer();
-  for_each_task(pages.count(), threads, [&](std::size_t page, unsigned) { pages.populate(page); });
+  const PagePieces pieces(array.data(), n * sizeof(T));
+  for_each_task(pieces.count(), threads, [&](std::size_t piece, unsigned) { pieces.populate(piece); });
   array.resize(n);
 }
 
