@@ -6,6 +6,7 @@
 
 #include "lattice/level.hpp"
 #include "octree/parallel.hpp"
+#include "octree/parts.hpp"
 #include "octree/vertex_chunk.hpp"
 #include "unsliver/error.hpp"
 
@@ -62,31 +63,15 @@ Vec3 slot_point(const LeafView& leaf, Key key, int slot) {
 
 Emission::Emission(Forest& forest, Settings settings) : forest_(forest), settings_(std::move(settings)) {
   settings_.threads = std::max(1u, settings_.threads);
-  cut_into_tasks();
+  for (const Part& part : cut(forest_, kTasksPerThread * settings_.threads))
+    if (part.whole) tasks_.push_back({part.cell});
   for (unsigned i = 0; i < settings_.threads; ++i) caches_.emplace_back(templates_);
 }
 
-void Emission::cut_into_tasks() {
-  const auto count = forest_.brick().count;
-  for (int k = 0; k < count[2]; ++k)
-    for (int j = 0; j < count[1]; ++j)
-      for (int i = 0; i < count[0]; ++i)
-        tasks_.push_back({root_block(forest_, i, j, k), kFirstPlace, forest_.root_cell(i, j, k)});
-  const auto is_split = [&](const Task& task) { return !forest_[task.cell.node].is_leaf(); };
-  while (tasks_.size() < kTasksPerThread * settings_.threads &&
-         std::any_of(tasks_.begin(), tasks_.end(), is_split)) {
-    std::vector<Task> finer;
-    for (const Task& task : tasks_) {
-      if (!is_split(task)) {
-        finer.push_back(task);
-        continue;
-      }
-      const Block inner = child_block(forest_, task.block, task.place);
-      for (int child = 0; child < 8; ++child)
-        finer.push_back({inner, place_of_child(child), forest_.child(task.cell, child)});
-    }
-    tasks_ = std::move(finer);
-  }
+template <class Visitor>
+void Emission::visit_leaves_of(const Task& task, Visitor& visitor) const {
+  const Site site = site_of(forest_, task.cell);
+  visit_leaves(forest_, site.block, site.place, task.cell, visitor);
 }
 
 template <class Visit>
@@ -170,7 +155,7 @@ class Emission::Chooser {
 void Emission::choose() {
   run_tasks([&](Task& task, unsigned worker) {
     Chooser chooser(*this, task, caches_[worker]);
-    visit_leaves(forest_, task.block, task.place, task.cell, chooser);
+    visit_leaves_of(task, chooser);
   });
   for (Task& task : tasks_) {
     task.first_tet = tet_count_;
@@ -259,7 +244,7 @@ class Emission::Writer {
 void Emission::write_tets(std::array<VertexId, 4>* out) {
   run_tasks([&](Task& task, unsigned worker) {
     Writer writer(*this, task, caches_[worker], out + task.first_tet);
-    visit_leaves(forest_, task.block, task.place, task.cell, writer);
+    visit_leaves_of(task, writer);
   });
 }
 
@@ -306,7 +291,7 @@ void Emission::stream_tets(const TakeTets& take) {
     auto& buffer = buffers[worker];
     buffer.resize(Streamer::kBufferSize);
     Streamer streamer({*this, task, caches_[worker], buffer.data()}, task.first_tet, buffer, take);
-    visit_leaves(forest_, task.block, task.place, task.cell, streamer);
+    visit_leaves_of(task, streamer);
     streamer.flush();
   });
 }

@@ -1,15 +1,15 @@
 /// \file
 /// From a balanced forest to vertices and tetrahedra: choose, number, write.
 ///
-/// The forest is cut into tasks, subtrees in depth-first order; what a task makes goes to its own part of the
-/// result, so that the result does not depend on the number of threads.
+/// The forest is cut into tasks, subtrees of about equal size in depth-first order; what a task makes goes to
+/// its own part of the result, so that the result does not depend on the number of threads.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "octree/block.hpp"
+#include "octree/forest.hpp"
 #include "octree/template_table.hpp"
 #include "octree/uniform.hpp"
 #include "unsliver/mesh.hpp"
@@ -54,8 +54,6 @@ class Emission {
 
  private:
   struct Task {
-    Block block;
-    int place;
     Cell cell;
     std::uint64_t leaves = 0, tested = 0, tets = 0, vertices = 0;
     std::uint64_t first_tet = 0, first_vertex = 0;
@@ -66,7 +64,8 @@ class Emission {
   class Writer;
   class Streamer;
 
-  void cut_into_tasks();
+  template <class Visitor>
+  void visit_leaves_of(const Task& task, Visitor& visitor) const;
   template <class Visit>
   void run_tasks(const Visit& visit);
 

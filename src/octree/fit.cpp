@@ -1,18 +1,20 @@
 #include "octree/fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include "octree/growth.hpp"
 #include "octree/leaf_test.hpp"
+#include "octree/parallel.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::octree {
 namespace {
 
-constexpr int kCandidates = 12;
-constexpr std::size_t kDraws = 4096, kSamples = 256;
+constexpr std::size_t kCandidates = 12;
+constexpr std::size_t kDraws = 4096, kRow = 64, kSamples = 256;
 /// A lower bound of s below this share of the domain comes from places outside the domain, where s may be
 /// anything.
 constexpr double kUnknownSize = 1e-12;
@@ -25,18 +27,28 @@ struct Sample {
   double ideal_density() const { return 1 / (size * size * size); }
 };
 
-std::vector<Sample> draw(const Domain& domain, const Sizing& sizing) {
+std::vector<Vec3> draw_points(const Box3& box) {
   std::mt19937_64 random(1);
-  const Box3 box = domain.bounds();
   const auto between = [&](double lo, double hi) {
     return lo + (hi - lo) * (double(random() >> 11) * 0x1p-53);
   };
-  std::vector<Sample> samples;
-  for (std::size_t i = 0; i < kDraws; ++i) {
-    Vec3 p;
+  std::vector<Vec3> points(kDraws);
+  for (Vec3& p : points)
     for (int axis = 0; axis < 3; ++axis) p[axis] = between(box.lo[axis], box.hi[axis]);
-    if (domain.contains(p)) samples.push_back({p, std::min(box.diagonal(), sizing.at(p))});
-  }
+  return points;
+}
+
+std::vector<Sample> draw(const Domain& domain, const Sizing& sizing, unsigned threads) {
+  const Box3 box = domain.bounds();
+  const std::vector<Vec3> points = draw_points(box);
+  std::vector<std::vector<Sample>> rows(kDraws / kRow);
+  for_each_task(rows.size(), threads, [&](std::size_t row, unsigned) {
+    for (std::size_t i = row * kRow; i < (row + 1) * kRow; ++i)
+      if (domain.contains(points[i]))
+        rows[row].push_back({points[i], std::min(box.diagonal(), sizing.at(points[i]))});
+  });
+  std::vector<Sample> samples;
+  for (const auto& row : rows) samples.insert(samples.end(), row.begin(), row.end());
   return samples;
 }
 
@@ -93,34 +105,36 @@ double surplus(const Domain& domain, const Sizing& sizing, double radius,
   return surplus(LeafTest(domain, sizing, world), root_exponent, 0, samples);
 }
 
+/// The first number in 0..count-1 of the least surplus.
+template <class Surplus>
+std::size_t best_of(std::size_t count, unsigned threads, const Surplus& surplus) {
+  std::vector<double> surpluses(count);
+  for_each_task(count, threads, [&](std::size_t i, unsigned) { surpluses[i] = surplus(i); });
+  return std::size_t(std::min_element(surpluses.begin(), surpluses.end()) - surpluses.begin());
+}
+
 }  // namespace
 
-double fit_radius(const Domain& domain, const Sizing& sizing) {
+double fit_radius(const Domain& domain, const Sizing& sizing, unsigned threads) {
   const double least = sizing.lower_bound(domain.bounds());
   if (!std::isfinite(least) || least <= kUnknownSize * domain.bounds().diagonal()) return 0;
   const double finest = LeafTest::kSizeShare * least;
   if (sizing.lipschitz() == 0) return finest;
-  const std::vector<Sample> samples = where_vertices_are(draw(domain, sizing));
-  double best = finest, best_surplus = std::numeric_limits<double>::infinity(), radius = finest;
-  for (int i = 0; i < kCandidates; ++i, radius *= kTwelfthRootOfHalf) {
-    const double its_surplus = surplus(domain, sizing, radius, samples);
-    if (its_surplus < best_surplus) best = radius, best_surplus = its_surplus;
-  }
-  return best;
+  const std::vector<Sample> samples = where_vertices_are(draw(domain, sizing, threads));
+  std::vector<double> radii = {finest};
+  while (radii.size() < kCandidates) radii.push_back(radii.back() * kTwelfthRootOfHalf);
+  return radii[best_of(radii.size(), threads,
+                       [&](std::size_t i) { return surplus(domain, sizing, radii[i], samples); })];
 }
 
 const BoxLattice& fit_lattice(const std::vector<BoxLattice>& lattices, const Domain& box,
-                              const Sizing& sizing) {
+                              const Sizing& sizing, unsigned threads) {
   if (lattices.size() == 1) return lattices.front();
-  const std::vector<Sample> samples = where_vertices_are(draw(box, sizing));
-  const BoxLattice* best = nullptr;
-  double best_surplus = std::numeric_limits<double>::infinity();
-  for (const BoxLattice& lattice : lattices) {
-    const LeafTest test(box, sizing, lattice.world);
-    const double its_surplus = surplus(test, lattice.brick.exponent, kWholeInside, samples);
-    if (best == nullptr || its_surplus < best_surplus) best = &lattice, best_surplus = its_surplus;
-  }
-  return *best;
+  const std::vector<Sample> samples = where_vertices_are(draw(box, sizing, threads));
+  return lattices[best_of(lattices.size(), threads, [&](std::size_t i) {
+    const LeafTest test(box, sizing, lattices[i].world);
+    return surplus(test, lattices[i].brick.exponent, kWholeInside, samples);
+  })];
 }
 
 }  // namespace unsliver::octree

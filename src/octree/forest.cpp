@@ -38,18 +38,21 @@ NodeId Forest::split(NodeId leaf) {
   return first;
 }
 
-// Node 0 of the tree takes the leaf's place; the others follow the nodes that are there.
-void Forest::graft(NodeId leaf, const Forest& tree) {
-  require_room(tree.size());
-  const std::size_t old_size = nodes_.size();
-  const auto shift = NodeId(old_size) - 1;
+NodeId Forest::make_room(std::size_t count) {
+  require_room(count);
+  const auto first = NodeId(nodes_.size());
+  nodes_.resize_uninitialized(nodes_.size() + count);
+  return first;
+}
+
+void Forest::graft(NodeId leaf, const Forest& tree, NodeId first) {
+  const NodeId shift = first - 1;
   const auto moved = [shift](Node node) {
     if (!node.is_leaf()) node.link += shift;
     return node;
   };
-  (*this)[leaf] = moved(tree.nodes_[0]);
-  nodes_.resize_uninitialized(old_size + tree.size() - 1);
-  for (std::size_t i = 1; i < tree.size(); ++i) nodes_[old_size + i - 1] = moved(tree.nodes_[i]);
+  (*this)[leaf] = moved(tree[0]);
+  for (NodeId n = 1; n < NodeId(tree.size()); ++n) (*this)[n + shift] = moved(tree[n]);
 }
 
 }  // namespace unsliver::octree

@@ -75,8 +75,11 @@ class Forest {
   /// Makes 8 leaves with the parent's flags, less kHasCenter, below a leaf; returns the first. References to
   /// nodes are lost. \throws Error kLimit at 2^31 nodes.
   NodeId split(NodeId leaf);
-  /// Puts a forest of one root, of the leaf's cube, in the leaf's place.
-  void graft(NodeId leaf, const Forest& tree);
+  /// Adds nodes that mean nothing yet; returns the first. As split else.
+  NodeId make_room(std::size_t count);
+  /// Puts a forest of one root, of the leaf's cube, in the leaf's place; its other nodes go to such room:
+  /// number n there becomes first - 1 + n.
+  void graft(NodeId leaf, const Forest& tree, NodeId first);
 
   Cell child(const Cell& cell, int number) const {
     const int k = cell.exponent - 1;

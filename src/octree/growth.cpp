@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "octree/parallel.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::uint64_t kPollInterval = 1024;  // nodes
 constexpr std::size_t kSubtrees = 1024;
+/// Beyond so many nodes, a subtree leaves what is open to others.
+constexpr std::size_t kMostNodes = 1 << 14;
 
 [[noreturn]] void refuse_tiny_size(const Cell& cell, const lattice::World& world) {
   const Vec3 p = world.to_caller(cell.center());
@@ -71,10 +74,12 @@ class Growth {
     return true;
   }
 
-  void grow_subtree(const Pending& at) {
+  /// Depth first; adds to `open` where it did not go on.
+  void grow_subtree(const Pending& at, std::vector<Pending>& open) {
+    if (forest_.size() > kMostNodes) return open.push_back(at);
     if (!judge(at)) return;
     const std::uint8_t flags = forest_[at.cell.node].flags;
-    for (int child = 0; child < 8; ++child) grow_subtree({forest_.child(at.cell, child), flags});
+    for (int child = 0; child < 8; ++child) grow_subtree({forest_.child(at.cell, child), flags}, open);
   }
 
   std::vector<Pending> grow_layer(const std::vector<Pending>& layer) {
@@ -92,6 +97,78 @@ class Growth {
   LeafTest& test_;
   bool all_centers_;
   Pulse& pulse_;
+};
+
+/// A subtree, grown by itself.
+struct Scion {
+  std::optional<Forest> tree;
+  std::vector<Pending> open;  ///< leaves still to be judged
+  NodeId first = kNoNode;     ///< the room for it
+
+  /// To be called when it is grafted.
+  void renumber_open() {
+    for (Pending& at : open) at.cell.node += first - 1;
+  }
+};
+
+/// All threads at work on one forest.
+class Nursery {
+ public:
+  Nursery(Forest& forest, const LeafTest& test, const GrowthSettings& settings)
+      : forest_(forest), settings_(settings), tests_(settings.threads, test) {
+    for (unsigned worker = 0; worker < settings.threads; ++worker)
+      pulses_.emplace_back(settings_, all_nodes_, worker == 0);
+  }
+
+  // Layer by layer as long as there are few nodes, so that sizes that fail somewhere are found early; then
+  // subtrees, each in a forest of its own.
+  void run() {
+    std::vector<Pending> open;
+    for_each_root(forest_, [&](const Cell& root) { open.push_back({root, settings_.root_flags}); });
+    Growth top = growth(forest_, 0);
+    while (!open.empty() && open.size() < kSubtrees) open = top.grow_layer(open);
+    while (!open.empty()) open = grow_subtrees(open);
+  }
+
+  LeafTestCounts counts() const {
+    LeafTestCounts sum;
+    for (const LeafTest& test : tests_) sum += test.counts();
+    return sum;
+  }
+
+ private:
+  Growth growth(Forest& forest, unsigned worker) {
+    return {forest, tests_[worker], settings_.all_centers, pulses_[worker]};
+  }
+
+  /// Returns what is still open.
+  std::vector<Pending> grow_subtrees(const std::vector<Pending>& roots) {
+    std::vector<Scion> scions(roots.size());
+    for_each_task(roots.size(), settings_.threads, [&](std::size_t i, unsigned worker) {
+      Cell cell = roots[i].cell;
+      Forest& tree = scions[i].tree.emplace(Brick{cell.exponent, {cell.x, cell.y, cell.z}, {1, 1, 1}});
+      cell.node = 0;
+      growth(tree, worker).grow_subtree({cell, roots[i].parent_flags}, scions[i].open);
+    });
+    std::size_t nodes = 0;
+    for (const Scion& scion : scions) nodes += scion.tree->size() - 1;
+    NodeId first = forest_.make_room(nodes);
+    for (Scion& scion : scions) scion.first = std::exchange(first, first + NodeId(scion.tree->size() - 1));
+    for_each_task(roots.size(), settings_.threads, [&](std::size_t i, unsigned) {
+      forest_.graft(roots[i].cell.node, *scions[i].tree, scions[i].first);
+      scions[i].renumber_open();
+      scions[i].tree.reset();
+    });
+    std::vector<Pending> open;
+    for (const Scion& scion : scions) open.insert(open.end(), scion.open.begin(), scion.open.end());
+    return open;
+  }
+
+  Forest& forest_;
+  const GrowthSettings& settings_;
+  std::vector<LeafTest> tests_;
+  std::atomic<std::uint64_t> all_nodes_{0};
+  std::vector<Pulse> pulses_;
 };
 
 }  // namespace
@@ -112,35 +189,10 @@ Brick brick_around(const Box3& box) {
   return brick;
 }
 
-// Layer by layer as long as there are few nodes, so that sizes that fail somewhere are found early; then
-// subtrees, each in a forest of its own, put in place in the order of their roots.
 LeafTestCounts grow(Forest& forest, const LeafTest& test, const GrowthSettings& settings) {
-  std::vector<LeafTest> tests(settings.threads, test);
-  std::atomic<std::uint64_t> all_nodes{0};
-  std::vector<Pulse> pulses;
-  for (unsigned worker = 0; worker < settings.threads; ++worker)
-    pulses.emplace_back(settings, all_nodes, worker == 0);
-
-  std::vector<Pending> roots;
-  for_each_root(forest, [&](const Cell& root) { roots.push_back({root, settings.root_flags}); });
-  Growth top(forest, tests[0], settings.all_centers, pulses[0]);
-  while (!roots.empty() && roots.size() < kSubtrees) roots = top.grow_layer(roots);
-
-  std::vector<std::optional<Forest>> trees(roots.size());
-  for_each_task(roots.size(), settings.threads, [&](std::size_t i, unsigned worker) {
-    Cell cell = roots[i].cell;
-    Forest& tree = trees[i].emplace(Brick{cell.exponent, {cell.x, cell.y, cell.z}, {1, 1, 1}});
-    cell.node = 0;
-    Growth(tree, tests[worker], settings.all_centers, pulses[worker])
-        .grow_subtree({cell, roots[i].parent_flags});
-  });
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    forest.graft(roots[i].cell.node, *trees[i]);
-    trees[i].reset();
-  }
-  LeafTestCounts counts;
-  for (const LeafTest& t : tests) counts += t.counts();
-  return counts;
+  Nursery nursery(forest, test, settings);
+  nursery.run();
+  return nursery.counts();
 }
 
 }  // namespace unsliver::octree

@@ -9,6 +9,7 @@
 #include "octree/growth.hpp"
 #include "octree/guest.hpp"
 #include "octree/octree.hpp"
+#include "octree/parallel.hpp"
 #include "octree/vertex_chunk.hpp"
 #include "unsliver/error.hpp"
 
@@ -34,13 +35,13 @@ struct Ground {
   bool is_domain() const { return root_flags == kWholeInside; }
 };
 
-Ground around(const Domain& domain, const Sizing& sizing) {
-  const auto world = lattice::World::fit(domain.bounds(), fit_radius(domain, sizing));
+Ground around(const Domain& domain, const Sizing& sizing, unsigned threads) {
+  const auto world = lattice::World::fit(domain.bounds(), fit_radius(domain, sizing, threads));
   return {{world, brick_around(in_world(domain.bounds(), world))}, 0};
 }
 
-Ground exactly(const Box3& box, const Domain& domain, const Sizing& sizing) {
-  return {fit_lattice(lattices_of(box), domain, sizing), kWholeInside};
+Ground exactly(const Box3& box, const Domain& domain, const Sizing& sizing, unsigned threads) {
+  return {fit_lattice(lattices_of(box), domain, sizing, threads), kWholeInside};
 }
 
 class Run {
@@ -59,7 +60,7 @@ class Run {
     prepare();
     enter("emit");
     write();
-    if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_);
+    if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_, options_.threads);
   }
 
   void stream(MeshSink& sink) {
@@ -113,7 +114,8 @@ class Run {
                    {options_.threads, options_.all_centers, ground_.root_flags,
                     [this](std::uint64_t bytes) { poll(bytes); }});
     enter("balance");
-    stats_.balance_splits = balance(forest_, [this](const Cell& cell) { set_child_flags(cell); });
+    stats_.balance_splits = balance(
+        forest_, [this](const Cell& cell) { set_child_flags(cell); }, options_.threads);
     if (guest_ != nullptr) {
       enter("points");
       guest_->on_forest(forest_);
@@ -152,14 +154,15 @@ class Run {
     mesh_.frame = world().frame();
     const std::size_t vertices = emission_->vertex_count(), tets = emission_->tet_count();
     require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
-    mesh_.points.resize(vertices);
-    mesh_.levels.resize(vertices);
-    emission_->write_points([this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
+    resize_together(mesh_.points, vertices, options_.threads);
+    resize_together(mesh_.levels, vertices, options_.threads);
+    const auto place = [this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
       mesh_.points[v] = world().to_caller(p);
       mesh_.levels[v] = guest_ != nullptr ? guest_->on_vertex(v, p, owner, forest_[owner.node])
                                           : std::uint8_t(lattice::canonical_level(p));
-    });
-    mesh_.tets.resize(tets);
+    };
+    emission_->write_points(place);
+    resize_together(mesh_.tets, tets, options_.threads);
     emission_->write_tets(mesh_.tets.data());
     if (guest_ != nullptr) guest_->complete(mesh_);
   }
@@ -239,14 +242,14 @@ void require_thread(const OctreeOptions& options) {
 OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, const OctreeOptions& options,
                                 const Control& control) {
   require_thread(options);
-  Run run(around(domain, sizing), domain, sizing, options, control);
+  Run run(around(domain, sizing, options.threads), domain, sizing, options, control);
   return result_of(run);
 }
 
 OctreeResult stream_domain_octree(const Domain& domain, const Sizing& sizing, MeshSink& sink,
                                   const OctreeOptions& options, const Control& control) {
   require_thread(options);
-  Run run(around(domain, sizing), domain, sizing, options, control);
+  Run run(around(domain, sizing, options.threads), domain, sizing, options, control);
   return result_of(run, [&] { run.stream(sink); });
 }
 
@@ -263,7 +266,7 @@ OctreeResult mesh_box_octree(const Box3& box, const Sizing& sizing, const Octree
                              const Control& control) {
   require_thread(options);
   const DomainPtr domain = make_box(box);
-  Run run(exactly(box, *domain, sizing), *domain, sizing, options, control);
+  Run run(exactly(box, *domain, sizing, options.threads), *domain, sizing, options, control);
   OctreeResult result = result_of(run);
   if (sizing.lipschitz() == 0 && result.status == OctreeStatus::kDone)
     result.stats.radius = run.radius_of_a_leaf();
