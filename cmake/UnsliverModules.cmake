@@ -6,6 +6,8 @@ target_compile_options(unsliver_options INTERFACE
   -Wall -Wextra -Wpedantic $<$<BOOL:${UNSLIVER_WERROR}>:-Werror>
   # GCC 12 sees overlapping copies inside its own std::string::insert.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # Calls within a module need no way round by the dynamic linker, and may be inlined.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   # Filters and budgets assume that every operation rounds once: no fused multiply-add behind our back.
   -ffp-contract=off)
 

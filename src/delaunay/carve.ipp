@@ -43,6 +43,13 @@ void BasicTriangulation<Geometry>::doom_neighbours(const TetRecord& tet, const P
   }
 }
 
+/// Three corners of a neighbour are those of the tetrahedron.
+template <class Geometry>
+void BasicTriangulation<Geometry>::prefetch_apexes(const TetRecord& tet) const {
+  for (const Facet facet : tet.n)
+    __builtin_prefetch(vertices_.begin() + store_[tet_of(facet)].v[slot_of(facet)]);
+}
+
 template <class Geometry>
 void BasicTriangulation<Geometry>::add_boundary_facets(const TetRecord& tet) {
   for (int i = 0; i < 4; ++i) {
@@ -63,6 +70,7 @@ void BasicTriangulation<Geometry>::carve(const Point& p, TetId in_conflict_with_
   store_.mark(in_conflict_with_p) = kDoomed;
   for (std::size_t next = 0; next < cavity_.size(); ++next) {
     const TetRecord& tet = store_[cavity_[next]];
+    if (next + 1 < cavity_.size()) prefetch_apexes(store_[cavity_[next + 1]]);
     doom_neighbours(tet, p);
     add_boundary_facets(tet);
   }

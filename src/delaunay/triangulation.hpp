@@ -114,6 +114,7 @@ class BasicTriangulation {
   void fill_with(VertexId v);
   int orient(VertexId a, VertexId b, VertexId c, const Point& p) const;
   void doom_neighbours(const TetRecord& tet, const Point& p);
+  void prefetch_apexes(const TetRecord& tet) const;
   void add_boundary_facets(const TetRecord& tet);
   void number_boundary_vertices();
   void make_star(VertexId v);

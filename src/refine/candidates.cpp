@@ -105,10 +105,11 @@ class CandidateSearch {
     const Vec3 nearest = lattice::nearest(level, sphere_.center);
     if (dist_sq(nearest, sphere_.center) > sphere_.radius_sq * (1 + 1e-9)) return std::nullopt;
     if (auto candidate = admissible(nearest, level)) return candidate;
-    std::vector<Vec3> points = points_in_ball(level, sphere_.center, reach);
-    std::erase(points, nearest);
-    while (!points.empty())
-      if (auto candidate = admissible(take_nearest(points, sphere_.center), level)) return candidate;
+    points_.clear();
+    lattice::points_in_ball(level, sphere_.center, reach, points_);
+    std::erase(points_, nearest);
+    while (!points_.empty())
+      if (auto candidate = admissible(take_nearest(points_, sphere_.center), level)) return candidate;
     return std::nullopt;
   }
 
@@ -131,6 +132,7 @@ class CandidateSearch {
   geom::Sphere sphere_;
   std::array<Vec3, 4> inputs_;  ///< those among t's corners
   int input_count_ = 0;
+  std::vector<Vec3> points_;  ///< scratch
 };
 
 }  // namespace

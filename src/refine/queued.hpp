@@ -27,7 +27,7 @@ inline bool still_there(const Refinement& r, const Queued& entry) {
 /// `ahead(turns)` is so many turns away.
 template <class Ahead>
 void prefetch(const Refinement& r, std::size_t count, Ahead ahead) {
-  constexpr std::size_t kRecord = 16, kCorners = 8;
+  constexpr std::size_t kRecord = 32, kCorners = 16;
   if (count <= kRecord) return;
   r.mesh().prefetch(ahead(kRecord).slot);
   if (const Queued entry = ahead(kCorners); still_there(r, entry)) r.prefetch_corners(entry.slot);
