@@ -1,0 +1,83 @@
+// The list of claims: what each says, and what decides it.
+#include <algorithm>
+#include <chrono>
+
+#include "prove/closure.hpp"
+#include "prove/lattices.hpp"
+#include "unsliver/error.hpp"
+#include "unsliver/prove.hpp"
+
+namespace unsliver {
+namespace prover {
+namespace {
+
+struct Entry {
+  Claim claim;
+  Finding (*decide)();
+};
+
+/// In the order in which they build on each other.
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> list = {
+      {{"nesting", "Proposition 2", "BCC_{k+1} < SC_k < BCC_k for all k."}, [] { return prove_nesting(); }},
+      {{"lattice-lengths", "Proposition 4, section 3",
+        "The shortest distances and covering radii of SC and BCC; the Delaunay tetrahedra of BCC have angles "
+        "of 60 and 90 "
+        "degrees."},
+       [] { return prove_lattice_lengths(); }},
+      {{"lemma-5", "Lemma 5, Figure 3",
+        "A tetrahedron with corners in SC_k and a circumradius of r(BCC_{k+1}) or less has its angles in "
+        "[30, 135]."},
+       [] { return prove_lemma_5(); }},
+      {{"lemma-6", "Lemma 6, Figure 4",
+        "A tetrahedron with corners in BCC_k, a circumradius of r(SC_k) or less and an angle outside "
+        "[35.264, 125.264] "
+        "has a point of SC_k inside its circumsphere."},
+       [] { return prove_lemma_6(); }},
+      {{"closure-a", "docs/CLOSURE.md (A)",
+        "A tetrahedron whose finest corner is in SC_k and has its parents is as Lemma 5 says."},
+       [] { return prove_closure_a(); }},
+      {{"closure-b", "docs/CLOSURE.md (B)",
+        "A tetrahedron whose finest corner is in BCC_k only and has its parents has angles in [45, 120]."},
+       [] { return prove_closure_b(); }},
+      {{"closure-brick", "docs/CLOSURE.md, bricks",
+        "The same where v is on the boundary of a brick and parents beyond it are missing."},
+       [] { return prove_closure_brick(); }},
+      {{"single-lattices", "Section 6",
+        "With one lattice and its double alone the least angles would be about 17.023 (SC), 14.312 (BCC) and "
+        "14.197 "
+        "(FCC) degrees."},
+       [] { return prove_single_lattices(); }},
+  };
+  return list;
+}
+
+}  // namespace
+}  // namespace prover
+
+bool Proof::holds() const {
+  return std::all_of(parts.begin(), parts.end(), [](const ProofPart& p) { return p.holds; });
+}
+
+bool Proof::is_as_recorded() const {
+  return std::all_of(parts.begin(), parts.end(), [](const ProofPart& p) { return p.is_as_recorded(); });
+}
+
+std::vector<Claim> provable_claims() {
+  std::vector<Claim> claims;
+  for (const prover::Entry& entry : prover::entries()) claims.push_back(entry.claim);
+  return claims;
+}
+
+Proof decide_claim(const std::string& id) {
+  for (const prover::Entry& entry : prover::entries()) {
+    if (entry.claim.id != id) continue;
+    const auto start = std::chrono::steady_clock::now();
+    Proof proof{entry.claim, entry.decide(), 0};
+    proof.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return proof;
+  }
+  throw Error(ErrorCode::kBadOption, "there is no claim named '" + id + "'");
+}
+
+}  // namespace unsliver
