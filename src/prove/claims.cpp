@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "prove/cells.hpp"
 #include "prove/closure.hpp"
 #include "prove/lattices.hpp"
+#include "prove/small_forest.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/prove.hpp"
 
@@ -43,6 +45,17 @@ const std::vector<Entry>& entries() {
       {{"closure-brick", "docs/CLOSURE.md, bricks",
         "The same where v is on the boundary of a brick and parents beyond it are missing."},
        [] { return prove_closure_brick(); }},
+      {{"octree-keys", "docs/CLOSURE.md, Octrees",
+        "In an octree balanced across faces and edges, with centres where vertices hang, all angles are in "
+        "[30, 135]."},
+       [] { return prove_octree_keys(); }},
+      {{"counterexamples", "docs/CLOSURE.md, Octrees",
+        "Without balance across edges, or without centres, there are angles outside [30, 135]."},
+       [] { return prove_counterexamples(); }},
+      {{"balanced-octree", "Section 4",
+        "The Delaunay tetrahedralization of a balanced octree has angles in [19.471, 135] and ratios up to "
+        "1.347."},
+       [] { return prove_balanced_octree(); }},
       {{"single-lattices", "Section 6",
         "With one lattice and its double alone the least angles would be about 17.023 (SC), 14.312 (BCC) and "
         "14.197 "

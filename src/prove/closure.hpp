@@ -29,8 +29,9 @@ Finding prove_closure_b(const ClosureB& claim = {});
 
 /// Bricks, case (A) at the boundary: the places of v where a parent may be missing.
 struct ClosureBrick {
-  /// Tetrahedra with their circumcentre beyond a face that v is on, v the middle of an edge in a face of the brick, of a
-  /// face there, of an edge in the brick's edge (beyond one of its two faces: three each, and none beyond both).
+  /// Tetrahedra with their circumcentre beyond a face that v is on, v the middle of an edge in a face of the
+  /// brick, of a face there, of an edge in the brick's edge (beyond one of its two faces: three each, and
+  /// none beyond both).
   int edge_in_a_face = 6, face_in_a_face = 0, edge_in_an_edge = 6;
   Shape beyond{kAngle45, kAngle90, {13, 16}};
   Shape bounds{kAngle30, kAngle135, {5, 4}};
