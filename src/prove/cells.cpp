@@ -243,19 +243,18 @@ Finding prove_octree_keys(const OctreeKeys& claim) {
 Finding prove_balanced_octree(const BalancedOctree& claim) {
   const Census faces = census({false, false, false, false, false}),
                all = census({false, false, true, false, false});
-  const auto thousandths = [](int n) { return fmt::format("{}.{:03}", n / 1000, n % 1000); };
   const Fraction ratio_sq{std::int64_t(claim.face_ratio) * claim.face_ratio, 1'000'000},
       below_sq{std::int64_t(claim.face_ratio - 1) * (claim.face_ratio - 1), 1'000'000};
   return {
       part(fmt::format("64 types, split neighbours at faces only: angles in [{}, {}], ratios at most {}",
-                       thousandths(claim.face_least), text(claim.face_greatest),
-                       thousandths(claim.face_ratio)),
+                       thousandths_text(claim.face_least), text(claim.face_greatest),
+                       thousandths_text(claim.face_ratio)),
            fmt::format("cos^2 = {}: {}", text(faces.shape.least.signed_cos_sq()), text(faces.shape)),
            prints_as(faces.shape.least, claim.face_least) && faces.shape.greatest == claim.face_greatest &&
                faces.shape.ratio_sq <= ratio_sq && faces.shape.ratio_sq > below_sq),
       count_part("types with split neighbours at edges too", claim.all_types, key_count(2)),
-      part(fmt::format("theirs are in [{}, {}], ratios at most {}", thousandths(claim.all_least),
-                       thousandths(claim.all_greatest), root_text(claim.all_ratio_sq)),
+      part(fmt::format("theirs are in [{}, {}], ratios at most {}", thousandths_text(claim.all_least),
+                       thousandths_text(claim.all_greatest), root_text(claim.all_ratio_sq)),
            fmt::format("cos^2 = {} and {}: {}", text(all.shape.least.signed_cos_sq()),
                        text(all.shape.greatest.signed_cos_sq()), text(all.shape)),
            prints_as(all.shape.least, claim.all_least) && prints_as(all.shape.greatest, claim.all_greatest) &&

@@ -6,6 +6,7 @@
 #include "prove/closure.hpp"
 #include "prove/lattices.hpp"
 #include "prove/small_forest.hpp"
+#include "prove/theorem_8.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/prove.hpp"
 
@@ -56,6 +57,12 @@ const std::vector<Entry>& entries() {
         "The Delaunay tetrahedralization of a balanced octree has angles in [19.471, 135] and ratios up to "
         "1.347."},
        [] { return prove_balanced_octree(); }},
+      {{"theorem-8", "Theorem 8, Figure 6",
+        "In SC_k with one input vertex p and without the points of R(p, k), p joins the hull of the box face vertices."},
+       [] { return prove_theorem_8(); }},
+      {{"table-1", "Theorem 8, Table 1, Figure 7",
+        "The Delaunay tetrahedra there have angles in [30, 127.903] and ratios of at most 1.368."},
+       [] { return prove_table_1(); }},
       {{"single-lattices", "Section 6",
         "With one lattice and its double alone the least angles would be about 17.023 (SC), 14.312 (BCC) and "
         "14.197 "
