@@ -58,7 +58,8 @@ const std::vector<Entry>& entries() {
         "1.347."},
        [] { return prove_balanced_octree(); }},
       {{"theorem-8", "Theorem 8, Figure 6",
-        "In SC_k with one input vertex p and without the points of R(p, k), p joins the hull of the box face vertices."},
+        "In SC_k with one input vertex p and without the points of R(p, k), p joins the hull of the box face "
+        "vertices."},
        [] { return prove_theorem_8(); }},
       {{"table-1", "Theorem 8, Table 1, Figure 7",
         "The Delaunay tetrahedra there have angles in [30, 127.903] and ratios of at most 1.368."},

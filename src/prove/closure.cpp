@@ -148,10 +148,9 @@ Shape single_lattice(const Lattice& lattice) {
 }
 
 ProofPart least_part(const std::string& lattice, int millidegrees, const Shape& shape) {
-  return part(
-      fmt::format("{} alone: least angle about {}", lattice, thousandths_text(millidegrees)),
-      fmt::format("cos^2 = {}: {}", text(shape.least.signed_cos_sq()), text(shape)),
-      prints_as(shape.least, millidegrees));
+  return part(fmt::format("{} alone: least angle about {}", lattice, thousandths_text(millidegrees)),
+              fmt::format("cos^2 = {}: {}", text(shape.least.signed_cos_sq()), text(shape)),
+              prints_as(shape.least, millidegrees));
 }
 
 }  // namespace

@@ -22,7 +22,19 @@ bool prints_as(const Angle& angle, int millidegrees) {
 }
 
 bool prints_as(const Enclosure& signed_cos_sq, int millidegrees) {
-  return is_strictly_between(signed_cos_sq, signed_cos_sq_of(millidegrees + 1), signed_cos_sq_of(millidegrees - 1));
+  return is_strictly_between(signed_cos_sq, signed_cos_sq_of(millidegrees + 1),
+                             signed_cos_sq_of(millidegrees - 1));
+}
+
+bool is_below(const Enclosure& signed_cos_sq, int millidegrees) {
+  return signed_cos_sq_of(millidegrees).is_certainly_below(signed_cos_sq);
+}
+
+std::string degrees_text(const Enclosure& signed_cos_sq) {
+  // Rounded to 2^-33, where 3/4 is exact.
+  constexpr int kDropped = 3;
+  const Enclosure::Raw rounded = (signed_cos_sq.lo() + (1 << (kDropped - 1))) >> kDropped;
+  return text(Angle({rounded, Enclosure::Raw{1} << (Enclosure::kBits - kDropped)}));
 }
 
 bool root_prints_as(const Enclosure& x_sq, int thousandths) {

@@ -32,14 +32,15 @@ struct Extreme {
     int corner;
   };
   std::vector<Place> places;
-  /// False if some box could be neither excluded nor followed to a corner; then `value` is a lower bound only.
+  /// False if some box could be neither excluded nor followed to a corner; then `value` is a lower bound
+  /// only.
   bool is_certain = true;
   std::int64_t boxes = 0;  ///< looked at
 };
 
-/// The supremum over the closed region and all quantities. Boxes whose enclosure is below a value that is attained are
-/// dropped; along an axis with a slope of one sign only that end of a box is kept. What is left are corners, and these are
-/// compared exactly.
+/// The supremum over the closed region and all quantities. Boxes whose enclosure is below a value that is
+/// attained are dropped; along an axis with a slope of one sign only that end of a box is kept. What is left
+/// are corners, and these are compared exactly.
 Extreme largest(const std::vector<Quantity>& quantities, const Region& region);
 
 }  // namespace unsliver::prover

@@ -54,7 +54,8 @@ struct Quantity {
   /// Coordinates of p in units of 1/scale; numbers T(int) and signed_square(T) are asked for.
   template <class T>
   Quotient<T> at(const Vector<T>& p, int scale) const {
-    const std::array<Vector<T>, 4> t{vector<T>(base[0], scale), vector<T>(base[1], scale), vector<T>(base[2], scale), p};
+    const std::array<Vector<T>, 4> t{vector<T>(base[0], scale), vector<T>(base[1], scale),
+                                     vector<T>(base[2], scale), p};
     return kind == kRatio ? ratio(t) : cosine(t);
   }
 

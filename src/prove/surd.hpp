@@ -11,7 +11,8 @@ namespace unsliver::prover {
 /// a + b sqrt(6) with integers a and b of any size.
 class Surd {
  public:
-  using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+  using Integer =
+      boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
   Surd() = default;
   Surd(int a, int b = 0) : a_(a), b_(b) {}  // NOLINT: an integer is a surd
@@ -47,8 +48,12 @@ inline Surd signed_square(const Surd& x) { return x.sign() < 0 ? -(x * x) : x * 
 struct SurdFraction {
   Surd num, den = 1;
 
-  friend bool operator<(const SurdFraction& x, const SurdFraction& y) { return x.num * y.den < y.num * x.den; }
-  friend bool operator==(const SurdFraction& x, const SurdFraction& y) { return x.num * y.den == y.num * x.den; }
+  friend bool operator<(const SurdFraction& x, const SurdFraction& y) {
+    return x.num * y.den < y.num * x.den;
+  }
+  friend bool operator==(const SurdFraction& x, const SurdFraction& y) {
+    return x.num * y.den == y.num * x.den;
+  }
 };
 
 /// Within 2^-35. Requires |f| < 2^25.

@@ -1,7 +1,7 @@
-// The combinatorial part of Theorem 8. A subdivision into convex cells is the Delaunay one if across each facet the vertices
-// of one cell are strictly outside the sphere of the other (the lifted function is then convex). For pyramids of p that is
-// a statement about p and a sphere of lattice points: |p - c|^2 is least and greatest over a box at known places, so
-// that it is decided exactly for all p at once.
+// The combinatorial part of Theorem 8. A subdivision into convex cells is the Delaunay one if across each
+// facet the vertices of one cell are strictly outside the sphere of the other (the lifted function is then
+// convex). For pyramids of p that is a statement about p and a sphere of lattice points: |p - c|^2 is least
+// and greatest over a box at known places, so that it is decided exactly for all p at once.
 #include "prove/theorem_8.hpp"
 
 #include <algorithm>
@@ -41,8 +41,8 @@ class Decision {
  public:
   Decision(const Hole& hole, const Surd& four_sigma) : hole_(hole), region_(hole.region(four_sigma)) {}
 
-  /// All p are strictly outside the spheres of the cut cubes and of the cubes around the box; at p = sigma, which is not in I, they may
-  /// be on them.
+  /// All p are strictly outside the spheres of the cut cubes and of the cubes around the box; at p = sigma,
+  /// which is not in I, they may be on them.
   bool is_outside_lattice_spheres() const {
     for (int x = -1; x <= hole_.side(0); ++x)
       for (int y = -1; y <= hole_.side(1); ++y)
@@ -51,12 +51,16 @@ class Decision {
     return true;
   }
 
-  /// The bases form a closed surface, each edge in two, and p is strictly on one side of all.
+  /// The bases are a closed surface, each edge in two of them, with p strictly on that side of each where the
+  /// others are.
   bool bases_enclose_p() const {
     std::map<std::pair<Point, Point>, int> edges;
     for (const auto& base : hole_.bases()) {
       for (const auto& edge : edges_of(base)) ++edges[edge];
-      if (side_of(base) == 0) return false;
+      const int side = side_of(base);
+      if (side == 0) return false;
+      for (const Point& p : hole_.face_vertices())
+        if (side * det(base[0], base[1], base[2], p) < 0) return false;
     }
     return std::all_of(edges.begin(), edges.end(), [](const auto& entry) { return entry.second == 2; });
   }
@@ -75,7 +79,8 @@ class Decision {
 
   /// Six times the volumes of hull and cut cubes make up the box.
   bool cells_fill_the_box() const {
-    std::int64_t twice_volumes = 0;  // pyramids with their apex at half-integers: 12 V, with doubled coordinates 8 * 6 V
+    std::int64_t twice_volumes =
+        0;  // pyramids with their apex at half-integers: 12 V, with doubled coordinates 8 * 6 V
     const Point middle{hole_.side(0), hole_.side(1), hole_.side(2)};
     for (const auto& base : hole_.bases()) {
       const std::int64_t triangle = std::abs(det(2 * base[0], 2 * base[1], 2 * base[2], middle));
@@ -89,12 +94,13 @@ class Decision {
   bool is_cell(const Point& cube) const {
     const auto inside = [&](std::int64_t c, int axis) { return c >= 0 && c < hole_.side(axis); };
     if (!inside(cube.x, 0) || !inside(cube.y, 1) || !inside(cube.z, 2)) return true;
-    return std::any_of(hole_.cut_cubes().begin(), hole_.cut_cubes().end(), [&](const std::vector<Point>& cell) {
-      return std::all_of(cell.begin(), cell.end(), [&](const Point& p) {
-        const Point d = p - cube;
-        return std::min({d.x, d.y, d.z}) >= 0 && std::max({d.x, d.y, d.z}) <= 1;
-      });
-    });
+    return std::any_of(hole_.cut_cubes().begin(), hole_.cut_cubes().end(),
+                       [&](const std::vector<Point>& cell) {
+                         return std::all_of(cell.begin(), cell.end(), [&](const Point& p) {
+                           const Point d = p - cube;
+                           return std::min({d.x, d.y, d.z}) >= 0 && std::max({d.x, d.y, d.z}) <= 1;
+                         });
+                       });
   }
 
   bool is_outside_sphere_of_cube(const Point& cube) const {
@@ -154,7 +160,8 @@ class Decision {
 
   /// num / den.x, in quarters.
   static Quotient<Vector<Surd>> circumcenter(const Tetrahedron& t) {
-    const Vector<Surd> a = quarters(t[0]), b = quarters(t[1]) - a, c = quarters(t[2]) - a, d = quarters(t[3]) - a;
+    const Vector<Surd> a = quarters(t[0]), b = quarters(t[1]) - a, c = quarters(t[2]) - a,
+                       d = quarters(t[3]) - a;
     const Surd twice_det = Surd(2) * dot(b, cross(c, d));
     const Vector<Surd> center =
         length_sq(b) * cross(c, d) + length_sq(c) * cross(d, b) + length_sq(d) * cross(b, c);
@@ -165,8 +172,8 @@ class Decision {
   Region region_;
 };
 
-/// Which lattice coordinates R(p, 0) covers: with 1 < sigma < 3/2 exactly {1, 2} for p in (sigma, 3 - sigma), exactly {1, 2, 3} for p in
-/// [3 - sigma, 1 + sigma], and translates of the two intervals fill the line.
+/// Which lattice coordinates R(p, 0) covers: with 1 < sigma < 3/2 exactly {1, 2} for p in (sigma, 3 - sigma),
+/// exactly {1, 2, 3} for p in [3 - sigma, 1 + sigma], and translates of the two intervals fill the line.
 bool intervals_are_as_said(const Surd& four_sigma) { return Surd(4) < four_sigma && four_sigma < Surd(6); }
 
 }  // namespace
@@ -208,13 +215,15 @@ Finding prove_theorem_8(const Theorem8& claim) {
   Finding finding{part("1 < sigma < 3/2: R(p, 0) covers two or three lattice coordinates along each axis",
                        intervals ? "so it is" : "not so", intervals)};
   const auto say = [&](int number, const std::string& what, bool holds) {
-    finding.push_back(part(fmt::format("case {}: {}", number, what), holds ? "for all p" : "not for all p", holds));
+    finding.push_back(
+        part(fmt::format("case {}: {}", number, what), holds ? "for all p" : "not for all p", holds));
   };
   for (int number = 1; number <= 4; ++number) {
     const Hole hole(number - 1);
     const Decision decide(hole, claim.four_sigma);
     finding.push_back(count_part(fmt::format("box face vertices in case {}", number),
-                                 claim.face_vertices[std::size_t(number - 1)], int(hole.face_vertices().size())));
+                                 claim.face_vertices[std::size_t(number - 1)],
+                                 int(hole.face_vertices().size())));
     say(number, "no sphere of a lattice cell holds p", decide.is_outside_lattice_spheres());
     say(number, "the box face vertices' hull encloses p", decide.bases_enclose_p());
     say(number, "hull and cut cubes fill the hole", decide.cells_fill_the_box());
@@ -222,8 +231,9 @@ Finding prove_theorem_8(const Theorem8& claim) {
   }
   const Surd half_width = claim.four_sigma - Surd(2);
   const bool tight = half_width * half_width + half_width * half_width == Surd(12);
-  finding.push_back(part("sigma is the least possible: (sigma, sigma, 3/2) is on the sphere about (1/2, 1/2, 3/2)",
-                         tight ? "it is, exactly" : "it is not", tight));
+  finding.push_back(
+      part("sigma is the least possible: (sigma, sigma, 3/2) is on the sphere about (1/2, 1/2, 3/2)",
+           tight ? "it is, exactly" : "it is not", tight));
   return finding;
 }
 
