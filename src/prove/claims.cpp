@@ -4,6 +4,7 @@
 
 #include "prove/cells.hpp"
 #include "prove/closure.hpp"
+#include "prove/constants.hpp"
 #include "prove/lattices.hpp"
 #include "prove/small_forest.hpp"
 #include "prove/theorem_8.hpp"
@@ -69,6 +70,21 @@ const std::vector<Entry>& entries() {
         "14.197 "
         "(FCC) degrees."},
        [] { return prove_single_lattices(); }},
+      {{"grading-figure-5", "Section 4.2.4",
+        "Figure 5: each vertex's nearest neighbour is at lfs/6.701 or more."},
+       [] { return prove_grading_figure_5(); }},
+      {{"size-step", "Section 4.2.1",
+        "A vertex inserted for its size keeps inequality (1) for c = a/sqrt 3."},
+       [] { return prove_size_step(); }},
+      {{"grading-closure", "docs/GUARANTEES.md, Strategies",
+        "Parent closure: each vertex's nearest neighbour is at lfs/4.15 or more."},
+       [] { return prove_grading_closure(); }},
+      {{"grading-figure-8", "Section 5.2.6",
+        "Figure 8: each vertex's nearest neighbour is at lfs/109.8 or more."},
+       [] { return prove_grading_figure_8(); }},
+      {{"figure-8-size-step", "Figure 8, size enforcement",
+        "The size step keeps the invariant that no forbidden region holds an input vertex."},
+       [] { return prove_figure_8_size_step(); }},
   };
   return list;
 }

@@ -11,12 +11,6 @@ namespace {
 using Raw = Enclosure::Raw;
 constexpr int kBits = Enclosure::kBits;
 
-Raw floor_quotient(Int128 a, Int128 b) {
-  const Int128 quotient = a / b;
-  return Raw(quotient - (quotient * b != a && (a < 0) != (b < 0)));
-}
-Raw ceil_quotient(Int128 a, Int128 b) { return -floor_quotient(-a, b); }
-
 /// The largest r with r^2 <= x.
 Raw integer_root(Int128 x) {
   Raw root = 0;
@@ -33,12 +27,18 @@ Enclosure pi() {
 
 }  // namespace
 
+Raw Enclosure::floor_quotient(Int128 a, Int128 b) {
+  const Int128 quotient = a / b;
+  return checked(quotient - (quotient * b != a && (a < 0) != (b < 0)));
+}
+
 Enclosure::Enclosure(const Fraction& f)
     : lo_(floor_quotient(Int128(f.num) << kBits, f.den)), hi_(ceil_quotient(Int128(f.num) << kBits, f.den)) {}
 
 Enclosure operator/(const Enclosure& a, const Enclosure& b) {
   const auto quotient = [&](Raw x, Raw y, bool up) {
-    return up ? ceil_quotient(Int128(x) << kBits, y) : floor_quotient(Int128(x) << kBits, y);
+    const Int128 scaled = Int128(x) << kBits;
+    return up ? Enclosure::ceil_quotient(scaled, y) : Enclosure::floor_quotient(scaled, y);
   };
   return Enclosure(std::min({quotient(a.lo_, b.lo_, false), quotient(a.lo_, b.hi_, false),
                              quotient(a.hi_, b.lo_, false), quotient(a.hi_, b.hi_, false)}),

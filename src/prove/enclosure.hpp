@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "prove/fraction.hpp"
@@ -32,7 +33,7 @@ class Enclosure {
 
   friend constexpr Enclosure operator-(const Enclosure& a) { return Enclosure(-a.hi_, -a.lo_); }
   friend constexpr Enclosure operator+(const Enclosure& a, const Enclosure& b) {
-    return Enclosure(a.lo_ + b.lo_, a.hi_ + b.hi_);
+    return Enclosure(checked(Int128(a.lo_) + b.lo_), checked(Int128(a.hi_) + b.hi_));
   }
   friend constexpr Enclosure operator-(const Enclosure& a, const Enclosure& b) { return a + -b; }
   friend constexpr Enclosure operator*(const Enclosure& a, const Enclosure& b) {
@@ -46,12 +47,22 @@ class Enclosure {
 
   constexpr bool holds_zero() const { return lo_ <= 0 && hi_ >= 0; }
 
+  /// a / b rounded down, b != 0.
+  static Raw floor_quotient(Int128 a, Int128 b);
+  static Raw ceil_quotient(Int128 a, Int128 b) { return -floor_quotient(-a, b); }
+
  private:
   constexpr Enclosure(Raw lo, Raw hi) : lo_(lo), hi_(hi) {}
   static constexpr Int128 least(Int128 a, Int128 b) { return a < b ? a : b; }
   static constexpr Int128 greatest(Int128 a, Int128 b) { return a < b ? b : a; }
-  static constexpr Raw floor_shift(Int128 x) { return Raw(x >> kBits); }
-  static constexpr Raw ceil_shift(Int128 x) { return Raw(-((-x) >> kBits)); }
+  static constexpr Raw floor_shift(Int128 x) { return checked(x >> kBits); }
+  static constexpr Raw ceil_shift(Int128 x) { return checked(-((-x) >> kBits)); }
+  /// \throws std::range_error
+  static constexpr Raw checked(Int128 x) {
+    constexpr Int128 kMost = Int128(1) << (25 + kBits);
+    if (x >= kMost || x <= -kMost) throw std::range_error("an enclosure left its range");
+    return Raw(x);
+  }
 
   Raw lo_ = 0, hi_ = 0;
 };
