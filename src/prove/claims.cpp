@@ -5,6 +5,7 @@
 #include "prove/cells.hpp"
 #include "prove/closure.hpp"
 #include "prove/constants.hpp"
+#include "prove/figure_8_runs.hpp"
 #include "prove/lattices.hpp"
 #include "prove/small_forest.hpp"
 #include "prove/theorem_8.hpp"
@@ -85,6 +86,9 @@ const std::vector<Entry>& entries() {
       {{"figure-8-size-step", "Figure 8, size enforcement",
         "The size step keeps the invariant that no forbidden region holds an input vertex."},
        [] { return prove_figure_8_size_step(); }},
+      {{"figure-8-runs", "Table 2, Lemmas 10 and 11, Corollary 9, section 5.2.5",
+        "Distances in Figure 8, and the chain of parents, on runs with random input vertices."},
+       [] { return prove_figure_8_runs(); }},
   };
   return list;
 }

@@ -17,6 +17,8 @@ class Surd {
   Surd() = default;
   Surd(int a, int b = 0) : a_(a), b_(b) {}  // NOLINT: an integer is a surd
 
+  static Surd of(Integer a) { return Surd(std::move(a), 0); }
+
   friend Surd operator-(const Surd& x) { return Surd(-x.a_, -x.b_); }
   friend Surd operator+(const Surd& x, const Surd& y) { return Surd(x.a_ + y.a_, x.b_ + y.b_); }
   friend Surd operator-(const Surd& x, const Surd& y) { return Surd(x.a_ - y.a_, x.b_ - y.b_); }
