@@ -252,6 +252,9 @@ Finding prove_balanced_octree(const BalancedOctree& claim) {
            fmt::format("cos^2 = {}: {}", text(faces.shape.least.signed_cos_sq()), text(faces.shape)),
            prints_as(faces.shape.least, claim.face_least) && faces.shape.greatest == claim.face_greatest &&
                faces.shape.ratio_sq <= ratio_sq && faces.shape.ratio_sq > below_sq),
+      part("these are all types of leaves in a balanced octree",
+           fmt::format("no: neighbours at edges may be split too, {} types", key_count(2)),
+           key_count(2) == 64, kDifferences),
       count_part("types with split neighbours at edges too", claim.all_types, key_count(2)),
       part(fmt::format("theirs are in [{}, {}], ratios at most {}", thousandths_text(claim.all_least),
                        thousandths_text(claim.all_greatest), root_text(claim.all_ratio_sq)),

@@ -7,8 +7,6 @@
 namespace unsliver::prover {
 namespace {
 
-constexpr const char* kDifferences = "docs/decisions/0005-what-the-proofs-found.md";
-
 Enclosure thousandths(int n) { return Fraction{n, 1000}; }
 
 Enclosure half(const Enclosure& x) { return x / Enclosure(2); }

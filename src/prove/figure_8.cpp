@@ -266,11 +266,4 @@ void Figure8::watch(const std::string& subcase, const Point& v, const Point& oth
   table_2_[subcase].see(v, other, k, bound_sq);
 }
 
-void Watched::see(const Fraction& x_sq, const Enclosure& bound_sq) {
-  const Enclosure found(x_sq);
-  ++count;
-  holds &= found.hi() <= bound_sq.lo();
-  worst_share = std::max(worst_share, std::sqrt(middle(found) / middle(bound_sq)));
-}
-
 }  // namespace unsliver::prover

@@ -13,8 +13,7 @@
 #include <optional>
 
 #include "delaunay/triangulation.hpp"
-#include "prove/enclosure.hpp"
-#include "prove/tetrahedron.hpp"
+#include "prove/watched.hpp"
 
 namespace unsliver::prover {
 
@@ -28,20 +27,6 @@ struct Figure8Vertex {
 
   /// k of SC_k or BCC_{k+1}.
   int exponent() const { return (level - 1) >> 1; }
-};
-
-/// A bound of distances: how often it was met, and the worst.
-struct Watched {
-  int count = 0;
-  bool holds = true;
-  double worst_share = 0;  ///< of the bound, for people
-
-  /// x_sq <= bound_sq?
-  void see(const Fraction& x_sq, const Enclosure& bound_sq);
-  /// |ab| <= 2^k sqrt(bound_sq)?
-  void see(const Point& a, const Point& b, int k, const Enclosure& bound_sq) {
-    see({dot(b - a, b - a), std::int64_t{1} << (2 * k)}, bound_sq);
-  }
 };
 
 class Figure8 {

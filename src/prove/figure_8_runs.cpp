@@ -9,8 +9,6 @@
 namespace unsliver::prover {
 namespace {
 
-constexpr const char* kDifferences = "docs/decisions/0005-what-the-proofs-found.md";
-
 /// Some far apart, some in tight pairs.
 std::vector<Point> random_inputs(std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -54,7 +52,7 @@ class Watch {
 
   void over(const Figure8& run) {
     vertices_ = &run.vertices();
-    for (const auto& [subcase, watched] : run.table_2()) add(table_2[subcase], watched);
+    for (const auto& [subcase, watched] : run.table_2()) table_2[subcase].include(watched);
     for (VertexId id = 1; id < vertices_->size(); ++id) {
       const Figure8Vertex& w = at(id);
       if (w.type == VertexType::kInput) continue;
@@ -73,12 +71,6 @@ class Watch {
 
  private:
   const Figure8Vertex& at(VertexId id) const { return (*vertices_)[id]; }
-
-  static void add(Watched& to, const Watched& from) {
-    to.count += from.count;
-    to.holds &= from.holds;
-    to.worst_share = std::max(to.worst_share, from.worst_share);
-  }
 
   void lemmas(const Figure8Vertex& w) {
     const int k = w.exponent();
@@ -139,12 +131,6 @@ class Watch {
   const Bounds& bounds_;
   const std::vector<Figure8Vertex>* vertices_ = nullptr;
 };
-
-ProofPart watched_part(const std::string& claimed, const Watched& watched) {
-  return part(claimed,
-              fmt::format("{} times, at most {:.2f} of the bound", watched.count, watched.worst_share),
-              watched.holds);
-}
 
 void add_table_2(Finding& finding, const Watch& watch) {
   for (const auto& [subcase, watched] : watch.table_2)

@@ -14,6 +14,9 @@ namespace unsliver::prover {
 
 using Finding = std::vector<ProofPart>;
 
+/// Where the differences are explained.
+inline constexpr const char* kDifferences = "docs/decisions/0005-what-the-proofs-found.md";
+
 inline ProofPart part(std::string claimed, std::string found, bool holds, std::string explained_in = "") {
   return {std::move(claimed), std::move(found), holds, std::move(explained_in)};
 }

@@ -31,11 +31,12 @@ Shape lattice_cells() {
 }
 
 /// Where an extreme is attained. p is at the lower corner of the region in all of the table.
-std::string places_text(const Extreme& extreme) {
+std::string places_text(int number, const Extreme& extreme) {
   std::string text = fmt::format("{} tetrahedra and edges, the first p", extreme.places.size());
   for (const Point& p : extreme.places.front().quantity.base)
     text += fmt::format(" ({},{},{})", p.x, p.y, p.z);
-  return text;
+  // Case 4 alone has no axis of the half open kind I.
+  return number < 4 ? text + "; a limit, sigma is not in I" : text;
 }
 
 bool is_only_at_lower_corner(const Extreme& extreme) {
@@ -62,7 +63,7 @@ ProofPart least_part(int number, int claimed, const Row& row, const Shape& latti
   const bool beats_lattice = Enclosure(lattice.least.signed_cos_sq()).is_certainly_below(found);
   return part(
       fmt::format("case {}: least angle about {}, at the table's p alone", number, thousandths_text(claimed)),
-      fmt::format("{}: {}", degrees_text(found), places_text(row.least)),
+      fmt::format("{}: {}", degrees_text(found), places_text(number, row.least)),
       is_only_at_lower_corner(row.least) && prints_as(found, claimed) && beats_lattice);
 }
 
@@ -73,9 +74,9 @@ ProofPart greatest_part(int number, int claimed, bool is_intrinsic, const Row& r
   return part(
       fmt::format("case {}: greatest angle about {}, {}", number, thousandths_text(claimed),
                   is_intrinsic ? "of lattice tetrahedra" : "at the table's p alone"),
-      fmt::format(
-          "{}: {}", degrees_text(all),
-          is_of_lattice ? fmt::format("p's own reach {}", degrees_text(found)) : places_text(row.greatest)),
+      fmt::format("{}: {}", degrees_text(all),
+                  is_of_lattice ? fmt::format("p's own reach {}", degrees_text(found))
+                                : places_text(number, row.greatest)),
       prints_as(all, claimed) && is_intrinsic == is_of_lattice && is_only_at_lower_corner(row.greatest));
 }
 
@@ -83,7 +84,7 @@ ProofPart ratio_part(int number, int claimed, const Row& row) {
   const Enclosure found = row.ratio_sq();
   return part(fmt::format("case {}: largest ratio about {}, at the table's p alone", number,
                           thousandths_text(claimed)),
-              fmt::format("{:.5f}: {}", middle(square_root(found)), places_text(row.ratio)),
+              fmt::format("{:.5f}: {}", middle(square_root(found)), places_text(number, row.ratio)),
               is_only_at_lower_corner(row.ratio) && root_prints_as(found, claimed));
 }
 
