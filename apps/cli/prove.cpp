@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
@@ -37,8 +38,9 @@ std::vector<std::string> names_asked_for(const std::string& name) {
   for (const Claim& claim : provable_claims()) names.push_back(claim.id);
   if (name == "all") return names;
   if (std::find(names.begin(), names.end(), name) != names.end()) return {name};
-  throw Error(ErrorCode::kBadOption, "there is no claim named '" + name + "'" + suggestion(name, names) +
-                                         ". See `unsliver prove --list`");
+  const std::string hint = suggestion(name, names);
+  throw Error(ErrorCode::kBadOption, "there is no claim named '" + name + "'" + hint +
+                                         (hint.empty() ? "." : "") + " See `unsliver prove --list`");
 }
 
 const char* verdict(bool holds) { return holds ? "holds" : "differs"; }

@@ -64,7 +64,7 @@ const std::vector<Entry>& entries() {
         "In SC_k with one input vertex p and without the points of R(p, k), p joins the hull of the box face "
         "vertices."},
        [] { return prove_theorem_8(); }},
-      {{"table-1", "Theorem 8, Table 1, Figure 7",
+      {{"table-1", "Theorem 8 and Corollary 9, Table 1, Figure 7",
         "The Delaunay tetrahedra there have angles in [30, 127.903] and ratios of at most 1.368."},
        [] { return prove_table_1(); }},
       {{"single-lattices", "Section 6",

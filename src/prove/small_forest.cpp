@@ -6,7 +6,7 @@
 namespace unsliver::prover {
 namespace {
 
-constexpr std::int64_t kRootSide = 8, kLeastSide = 2;
+constexpr std::int64_t kRootSide = 8, kLeastSide = 1;
 
 Point corner_of(const Cube& cube, int c) { return cube.at + cube.side * Point{c & 1, c >> 1 & 1, c >> 2}; }
 
@@ -37,7 +37,7 @@ bool hangs_on(const Point& p, const Cube& leaf) {
 bool is_good(const Shape& shape) { return shape.within(kAngle30, kAngle135, {5, 4}); }
 
 struct Counterexample {
-  int roots, splits, vertices;
+  int splits, roots, vertices;
   Shape shape;
 };
 
@@ -58,18 +58,19 @@ std::set<std::set<Cube>> forests_after(const SmallForest& forest, int splits) {
   return all;
 }
 
-/// Of the forests that satisfy the condition, which are not good by the theorem.
+/// Of the forests that satisfy the condition, at most three splits deep, the first that is bad: by splits,
+/// then by roots.
 template <class Condition>
 std::optional<Counterexample> smallest(bool with_centers, const Condition& condition) {
   constexpr int kMostSplits = 4;
-  for (const auto& [nx, ny] : {std::pair{1, 1}, {2, 1}, {2, 2}})
-    for (int splits = 0; splits <= kMostSplits; ++splits)
+  for (int splits = 0; splits <= kMostSplits; ++splits)
+    for (const auto& [nx, ny] : {std::pair{1, 1}, {2, 1}, {3, 1}, {2, 2}})
       for (const std::set<Cube>& leaves : forests_after(SmallForest(nx, ny, 1), splits)) {
         const SmallForest forest(leaves);
         if (!condition(forest)) continue;
         const std::vector<Point> vertices = forest.vertices(with_centers);
         const Shape shape = delaunay_shape(vertices);
-        if (!is_good(shape)) return Counterexample{nx * ny, splits, int(vertices.size()), shape};
+        if (!is_good(shape)) return Counterexample{splits, nx * ny, int(vertices.size()), shape};
       }
   return std::nullopt;
 }
@@ -77,7 +78,7 @@ std::optional<Counterexample> smallest(bool with_centers, const Condition& condi
 void add_parts(Finding& finding, const std::string& of, const Counterexample& claimed,
                const std::optional<Counterexample>& found) {
   const auto size = [](const Counterexample& c) {
-    return fmt::format("{} roots, {} splits, {} vertices", c.roots, c.splits, c.vertices);
+    return fmt::format("{} splits, {} roots, {} vertices", c.splits, c.roots, c.vertices);
   };
   finding.push_back(part(fmt::format("{}: the smallest bad forest has {}", of, size(claimed)),
                          found ? size(*found) : "none",
@@ -139,13 +140,13 @@ Finding prove_counterexamples(const Counterexamples& claim) {
   // Forests that are balanced across edges too, with centres, are good by the theorem.
   add_parts(
       finding, "balance across faces alone",
-      {claim.face_balance_roots, claim.face_balance_splits, claim.face_balance_vertices, claim.face_balance},
+      {claim.face_balance_splits, claim.face_balance_roots, claim.face_balance_vertices, claim.face_balance},
       smallest(true, [](const SmallForest& f) {
         return f.is_balanced_across_faces() && !f.is_balanced_across_edges();
       }));
   add_parts(
       finding, "corners without centres",
-      {claim.corners_only_roots, claim.corners_only_splits, claim.corners_only_vertices, claim.corners_only},
+      {claim.corners_only_splits, claim.corners_only_roots, claim.corners_only_vertices, claim.corners_only},
       smallest(false, [](const SmallForest& f) {
         return f.is_balanced_across_faces() && f.is_balanced_across_edges();
       }));

@@ -23,7 +23,7 @@ class SmallForest {
   explicit SmallForest(std::set<Cube> leaves) : leaves_(std::move(leaves)) {}
 
   const std::set<Cube>& leaves() const { return leaves_; }
-  /// Requires a leaf of side 4 or more.
+  /// Requires a leaf of side 2 or more.
   void split(const Cube& leaf);
 
   /// Do the sides of leaves that share part of a face differ by at most a factor of 2? Of an edge?
@@ -43,14 +43,14 @@ class SmallForest {
 /// The shape of all tetrahedra with empty open circumballs, whatever breaks ties. O(n^5) at worst.
 Shape delaunay_shape(const std::vector<Point>& points);
 
-/// The smallest forests, first by roots, then by splits, with an angle outside [30, 135] degrees.
+/// The smallest forests, by splits and then by roots, with an angle outside [30, 135] degrees.
 struct Counterexamples {
   /// Balanced across faces only, with centres where corners hang.
-  int face_balance_roots = 4, face_balance_splits = 4, face_balance_vertices = 97;
+  int face_balance_splits = 4, face_balance_roots = 4, face_balance_vertices = 97;
   Shape face_balance{Angle({5, 6}), Angle({-2, 3}), {9, 4}};
   /// Balanced across faces and edges, without centres.
-  int corners_only_roots = 1, corners_only_splits = 2, corners_only_vertices = 46;
-  Shape corners_only{Angle({5, 6}), Angle({-2, 3}), {9, 4}};
+  int corners_only_splits = 1, corners_only_roots = 2, corners_only_vertices = 31;
+  Shape corners_only{Angle({4, 5}), Angle({-1, 3}), {29, 16}};
 };
 Finding prove_counterexamples(const Counterexamples& claim = {});
 

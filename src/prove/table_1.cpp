@@ -115,6 +115,10 @@ void add_total(Finding& finding, const Table1& claim, const Total& total) {
       is_below(total.greatest_signed_cos_sq, claim.greatest_bound));
   add("all cases: ratios are below " + thousandths_text(claim.ratio_bound),
       enclosure_of(total.ratio_sq).is_certainly_below(ratio_sq_bound));
+  const bool all_hold =
+      std::all_of(finding.begin(), finding.end(), [](const ProofPart& p) { return p.holds; });
+  add("Corollary 9: so what Figure 8 calls bad, outside [30, 135] or above 1.368, has a point of S inside",
+      all_hold);
 }
 
 }  // namespace

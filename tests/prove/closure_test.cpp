@@ -62,7 +62,7 @@ TEST(Counterexamples, AreTheSmallest) { expect_as_recorded(prove_counterexamples
 TEST(Counterexamples, Differ) {
   Counterexamples claim;
   claim.face_balance_splits = 3;
-  claim.corners_only_vertices = 45;
+  claim.corners_only_vertices = 30;
   expect_differences(2, prove_counterexamples(claim));
 }
 

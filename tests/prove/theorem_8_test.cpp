@@ -35,7 +35,7 @@ TEST(Table1, DiffersFromOtherNumbers) {
   claim.least_signed_cos_sq = {74, 100};
   claim.greatest_bound = 127'902;
   claim.ratio_bound = 1'367;
-  expect_differences(4 + 2 + 4 + 3, prove_table_1(claim));
+  expect_differences(4 + 2 + 4 + 4, prove_table_1(claim));
 }
 
 TEST(Table1, DiffersForASmallerRegion) {
