@@ -1,5 +1,6 @@
 #include "prove/cells.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <optional>
 
@@ -224,6 +225,15 @@ Census census(const CellRules& rules) {
 }
 
 }  // namespace
+
+std::set<Tetrahedron> cell_tetrahedra(const CellRules& rules) {
+  std::set<Tetrahedron> all;
+  for_each_cell_tetrahedron(rules, [&](Tetrahedron t, const Circumsphere&, unsigned) {
+    std::sort(t.begin(), t.end());
+    all.insert(t);
+  });
+  return all;
+}
 
 Finding prove_octree_keys(const OctreeKeys& claim) {
   Finding finding{count_part("keys of leaves inside a forest", claim.interior_keys, key_count(3)),

@@ -7,6 +7,8 @@
 /// edge and each face; so 57 choose 4 questions take the place of all keys times all tetrahedra.
 #pragma once
 
+#include <set>
+
 #include "prove/finding.hpp"
 
 namespace unsliver::prover {
@@ -24,6 +26,9 @@ struct CellRules {
   /// Some face is where the forest ends.
   bool must_end = false;
 };
+
+/// All tetrahedra that some key gives to the leaf, in all ties, each with its corners in lexicographic order.
+std::set<Tetrahedron> cell_tetrahedra(const CellRules& rules);
 
 /// Parent closure in octrees: docs/CLOSURE.md, Octrees.
 struct OctreeKeys {
