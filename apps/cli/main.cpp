@@ -21,6 +21,7 @@ constexpr const char* kExamples = R"text(Examples:
   unsliver refine old.msh -o new.msh
   unsliver check spot.vtu --against spot.obj
   unsliver view spot.vtu -o spot.png
+  unsliver prove all
   unsliver help mesh
 
 Exit codes: 0 done and verified; 1 a cap or a limit was met, or a checked mesh is at fault;

@@ -120,17 +120,15 @@ class Possible {
   /// The edges whose middles are vertices in the key with the fewest vertices, or nothing.
   std::optional<unsigned> fewest_edges() const {
     unsigned edges = edges_, implied = 0;
-    bool can_end = false;
     for (int f = 0; f < 6; ++f) {
       const unsigned states = faces_[std::size_t(f)];
-      can_end |= (states & kEnd) != 0;
       if (states == 0) return std::nullopt;
       if (states == kHalved) implied |= edges_of_face(f);
     }
     if (!rules_.has_edge_neighbors && !cover(edges & ~implied, implied)) return std::nullopt;
     edges |= implied;
     const bool hangs = edges != 0;
-    if (impossible_ || (edges & no_edges_) != 0 || (rules_.must_end && !can_end)) return std::nullopt;
+    if (impossible_ || (edges & no_edges_) != 0) return std::nullopt;
     if (no_center_ && (hangs || center_ || !rules_.centers_are_optional)) return std::nullopt;
     return edges;
   }
@@ -239,7 +237,7 @@ Finding prove_octree_keys(const OctreeKeys& claim) {
   Finding finding{count_part("keys of leaves inside a forest", claim.interior_keys, key_count(3)),
                   count_part("keys of leaves at its end", claim.boundary_keys, key_count(4) - key_count(3))};
   const auto decide = [&](const char* of, bool optional, bool may_end) {
-    const Census found = census({claim.has_centers, optional, true, may_end, false});
+    const Census found = census({claim.has_centers, optional, true, may_end});
     finding.push_back(shape_part(fmt::format("{}: ", of), claim.bounds, found.shape));
     finding.back().found += fmt::format("; {} tetrahedra of slots, all ties", found.count);
   };
@@ -251,8 +249,7 @@ Finding prove_octree_keys(const OctreeKeys& claim) {
 }
 
 Finding prove_balanced_octree(const BalancedOctree& claim) {
-  const Census faces = census({false, false, false, false, false}),
-               all = census({false, false, true, false, false});
+  const Census faces = census({false, false, false, false}), all = census({false, false, true, false});
   const Fraction ratio_sq{std::int64_t(claim.face_ratio) * claim.face_ratio, 1'000'000},
       below_sq{std::int64_t(claim.face_ratio - 1) * (claim.face_ratio - 1), 1'000'000};
   return {

@@ -23,8 +23,6 @@ struct CellRules {
   bool has_edge_neighbors = true;
   /// The forest may end at faces; circumcentres may be beyond these.
   bool may_end = false;
-  /// Some face is where the forest ends.
-  bool must_end = false;
 };
 
 /// All tetrahedra that some key gives to the leaf, in all ties, each with its corners in lexicographic order.

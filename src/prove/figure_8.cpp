@@ -54,6 +54,11 @@ std::optional<Point> first_lattice_point(int level, const Vec3& center, double r
   return std::nullopt;
 }
 
+Point promised(const char* lemma, const std::optional<Point>& w) {
+  if (!w) throw std::logic_error(lemma);
+  return *w;
+}
+
 /// The circumsphere of a tetrahedron: centre corner + center / twice_det, in integers of any size.
 class Sphere {
  public:
@@ -174,32 +179,36 @@ void Figure8::enqueue(delaunay::TetId t) {
   queue_.push_back({t, {v[0], v[1], v[2], v[3]}});
 }
 
-void Figure8::case_1(const Bad& bad) {
+Figure8::Candidate Figure8::candidate_of_case_1(const Bad& bad) const {
   const Figure8Vertex& v = vertices_[bad.v];
   const bool next_is_bcc = is_bcc_level(v.level + 1);
   const int k = v.exponent();
   const std::string number = next_is_bcc ? "1.1." : "1.2.";
   const SurdFraction& radius_sq = next_is_bcc ? kNextBccRadiusSq : kNextScRadiusSq;
-  const double radius = std::ldexp(next_is_bcc ? 1.2 : 1.8, k);
-  const Roots r;
-  const Enclosure reach_sq = next_is_bcc ? 5 : 12, margin = next_is_bcc ? r.rho : Enclosure(2) * r.rho;
-  std::string subcase = number + "1";
-  std::optional<Point> w;
   if (bad.sphere.compare_radius(radius_sq, k) > 0) {
+    const double radius = std::ldexp(next_is_bcc ? 1.2 : 1.8, k);  // where to look: a little more than r
     const Vec3 at = vec3(v.at), center = at + radius / bad.sphere.radius() * (bad.sphere.center() - at);
-    w = first_lattice_point(v.level + 1, center, radius, [&](const Point& q) {
-      return bad.sphere.in_tangent_ball(q, v.at, radius_sq, k);
-    });
-    if (!w) throw std::logic_error("Lemma 3, case " + subcase);
-  } else if (!bad.inputs.empty()) {
-    watch(number + "2 jump", v.at, vertices_[bad.inputs[0]].at, k, reach_sq);
+    const auto in_ball = [&](const Point& q) { return bad.sphere.in_tangent_ball(q, v.at, radius_sq, k); };
+    return {number + "1", promised("Lemma 3", first_lattice_point(v.level + 1, center, radius, in_ball))};
+  }
+  if (!bad.inputs.empty()) return {number + "2", std::nullopt};
+  if (next_is_bcc) throw std::logic_error("Lemma 5");
+  const auto inside = [&](const Point& q) { return bad.sphere.holds_inside(q); };
+  return {number + "3", promised("Lemma 6", first_lattice_point(v.level + 1, bad.sphere.center(),
+                                                                bad.sphere.radius(), inside))};
+}
+
+void Figure8::case_1(const Bad& bad) {
+  const Figure8Vertex& v = vertices_[bad.v];
+  const bool next_is_bcc = is_bcc_level(v.level + 1);
+  const int k = v.exponent();
+  const Roots r;
+  // 2 r(BCC_{k+1}) = 2^k sqrt 5, 2 r(SC_{k+1}) = 2^k sqrt 12; and the region's radius.
+  const Enclosure reach_sq = next_is_bcc ? 5 : 12, margin = next_is_bcc ? r.rho : Enclosure(2) * r.rho;
+  const auto [subcase, w] = candidate_of_case_1(bad);
+  if (!w) {
+    watch(subcase + " jump", v.at, vertices_[bad.inputs[0]].at, k, reach_sq);
     return case_2(bad, bad.inputs[0]);
-  } else {
-    subcase = number + "3";
-    if (next_is_bcc) throw std::logic_error("Lemma 5");
-    w = first_lattice_point(v.level + 1, bad.sphere.center(), bad.sphere.radius(),
-                            [&](const Point& q) { return bad.sphere.holds_inside(q); });
-    if (!w) throw std::logic_error("Lemma 6");
   }
   if (const auto u1 = input_in_region(*w, v.level / 2)) {
     watch(subcase + " jump", v.at, vertices_[*u1].at, k, square(square_root(reach_sq) + margin));
@@ -226,28 +235,29 @@ void Figure8::case_2(const Bad& bad, VertexId u1) {
   const double radius = is_large ? std::ldexp(1.9, k) : bad.sphere.radius();
   const Vec3 at = vec3(v.at), to_center = bad.sphere.center() - at;
   const Vec3 center = at + std::min(1.0, radius / bad.sphere.radius()) * to_center;
-  const auto w = first_lattice_point(sc(k), center, radius, [&](const Point& q) {
+  const auto is_candidate = [&](const Point& q) {
     return !in_region(vertices_[u1].at - q, k) &&
            (is_large ? bad.sphere.in_tangent_ball(q, v.at, kCase2RadiusSq, k) : bad.sphere.holds_inside(q));
-  });
-  if (!w) throw std::logic_error(is_large ? "Lemma 3, case 2.1" : "Corollary 9");
-  if (const auto u2 = input_in_region(*w, k)) {
+  };
+  const Point w = promised(is_large ? "Lemma 3" : "Corollary 9",
+                           first_lattice_point(sc(k), center, radius, is_candidate));
+  if (const auto u2 = input_in_region(w, k)) {
     watch(subcase + " jump", v.at, vertices_[*u2].at, k, square(r.root3 + Enclosure(2) * r.rho));
     return case_3(bad);
   }
-  watch(subcase, v.at, *w, k, square(r.root3 + r.rho));
-  insert(bad, {VertexType::k2, sc(k), *w, bad.v, u1});
+  watch(subcase, v.at, w, k, square(r.root3 + r.rho));
+  insert(bad, {VertexType::k2, sc(k), w, bad.v, u1});
 }
 
 void Figure8::case_3(const Bad& bad) {
   int j = std::ilogb(bad.sphere.radius());
-  while (bad.sphere.compare_radius(kCase3RadiusSq, j) <= 0) --j;
-  const auto w = first_lattice_point(sc(j), bad.sphere.center(), std::ldexp(0.9, j), [&](const Point& q) {
-    return bad.sphere.is_near_center(q, kScRadiusSq, j);
-  });
-  if (!w) throw std::logic_error("Lemma 3, case 3");
-  if (input_in_region(*w, j)) throw std::logic_error("case 3: an input vertex in the forbidden region");
-  insert(bad, {VertexType::k3, sc(j), *w});
+  while (j >= 0 && bad.sphere.compare_radius(kCase3RadiusSq, j) <= 0) --j;
+  if (j < 0) throw std::logic_error("the least distance of inputs");
+  const auto near_center = [&](const Point& q) { return bad.sphere.is_near_center(q, kScRadiusSq, j); };
+  const Point w =
+      promised("Lemma 3", first_lattice_point(sc(j), bad.sphere.center(), std::ldexp(0.9, j), near_center));
+  if (input_in_region(w, j)) throw std::logic_error("Case 3, its empty region");
+  insert(bad, {VertexType::k3, sc(j), w});
 }
 
 void Figure8::insert(const Bad& bad, const Figure8Vertex& w) {

@@ -49,6 +49,11 @@ class Figure8 {
   bool is_input(VertexId v) const { return vertices_[v].type == VertexType::kInput; }
   /// If it is bad and near the box.
   void enqueue(delaunay::TetId t);
+  struct Candidate {
+    std::string subcase;
+    std::optional<Point> w;  ///< none in 1.1.2 and 1.2.2
+  };
+  Candidate candidate_of_case_1(const Bad& bad) const;
   void case_1(const Bad& bad);
   void case_2(const Bad& bad, VertexId u1);
   void case_3(const Bad& bad);
