@@ -45,8 +45,6 @@ class Enclosure {
   /// Requires that b does not hold zero.
   friend Enclosure operator/(const Enclosure& a, const Enclosure& b);
 
-  constexpr bool holds_zero() const { return lo_ <= 0 && hi_ >= 0; }
-
   /// a / b rounded down, b != 0.
   static Raw floor_quotient(Int128 a, Int128 b);
   static Raw ceil_quotient(Int128 a, Int128 b) { return -floor_quotient(-a, b); }

@@ -62,7 +62,6 @@ class Search {
   }
 
   void descend(const Quantity& quantity, Box box) {
-    ++result_.boxes;
     const auto g = over(quantity, box);
     if (g && (g->value.hi() < bar_ || reach_from_middle(quantity, box, *g) < bar_)) return;
     const bool narrowed = g && narrow(box, *g);

@@ -35,7 +35,6 @@ struct Extreme {
   /// False if some box could be neither excluded nor followed to a corner; then `value` is a lower bound
   /// only.
   bool is_certain = true;
-  std::int64_t boxes = 0;  ///< looked at
 };
 
 /// The supremum over the closed region and all quantities. Boxes whose enclosure is below a value that is
