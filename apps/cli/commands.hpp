@@ -20,6 +20,7 @@ Command add_check(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_view(CLI::App& app);
+Command add_prove(CLI::App& app);
 /// It reads what the others have added, and so `app` must outlive it.
 Command add_help(CLI::App& app);
 

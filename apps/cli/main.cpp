@@ -21,6 +21,7 @@ constexpr const char* kExamples = R"text(Examples:
   unsliver refine old.msh -o new.msh
   unsliver check spot.vtu --against spot.obj
   unsliver view spot.vtu -o spot.png
+  unsliver prove all
   unsliver help mesh
 
 Exit codes: 0 done and verified; 1 a cap or a limit was met, or a checked mesh is at fault;
@@ -56,7 +57,7 @@ ExitCode run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kExamples);
   const std::array commands = {add_mesh(app), add_refine(app), add_check(app), add_convert(app),
-                               add_info(app), add_view(app),   add_help(app)};
+                               add_info(app), add_view(app),   add_prove(app), add_help(app)};
   for (const Command& command : commands) check_values(*command.parser);
   try {
     app.parse(argc, argv);
