@@ -157,10 +157,8 @@ class BadTets {
 
   /// The next one that is still there.
   std::optional<TetId> pop() {
-    while (const auto next = queue_.pop()) {
-      prefetch(r_, queue_.peer_count(), [this](std::size_t turns) { return queue_.peer(turns); });
+    while (const auto next = queue_.pop())
       if (still_there(r_, *next)) return next->slot;
-    }
     return std::nullopt;
   }
 

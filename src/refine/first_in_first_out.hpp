@@ -10,6 +10,14 @@
 
 namespace unsliver::refine {
 
+/// What waited for long is in no cache: asks for it in good time.
+inline void prefetch(const Refinement& r, const std::deque<Queued>& queue) {
+  constexpr std::size_t kRecord = 32, kCorners = 16;
+  if (queue.size() <= kRecord) return;
+  r.mesh().prefetch(queue[kRecord].slot);
+  if (still_there(r, queue[kCorners])) r.prefetch_corners(queue[kCorners].slot);
+}
+
 /// `enforce_quality(t)` inserts a vertex for the bad tetrahedron t.
 template <class EnforceQuality>
 void first_in_first_out(Refinement& r, EnforceQuality enforce_quality) {
@@ -18,7 +26,7 @@ void first_in_first_out(Refinement& r, EnforceQuality enforce_quality) {
   std::deque<Queued> queue;
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) queue.push_back(queued(r, t));
   for (; !queue.empty(); queue.pop_front()) {
-    prefetch(r, queue.size(), [&queue](std::size_t turns) { return queue[turns]; });
+    prefetch(r, queue);
     const TetId t = queue.front().slot;
     if (!still_there(r, queue.front())) continue;
     if (const auto ball = search.find(t, 0)) {

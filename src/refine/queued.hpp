@@ -23,16 +23,6 @@ inline bool still_there(const Refinement& r, const Queued& entry) {
   return r.mesh().is_finite(entry.slot) && r.mesh().tet(entry.slot).v[3] == entry.last_corner;
 }
 
-/// What waited for long is in no cache: asks for it in good time. Of the `count` entries that wait,
-/// `ahead(turns)` is so many turns away.
-template <class Ahead>
-void prefetch(const Refinement& r, std::size_t count, Ahead ahead) {
-  constexpr std::size_t kRecord = 32, kCorners = 16;
-  if (count <= kRecord) return;
-  r.mesh().prefetch(ahead(kRecord).slot);
-  if (const Queued entry = ahead(kCorners); still_there(r, entry)) r.prefetch_corners(entry.slot);
-}
-
 /// Smallest circumradius first, to one percent; last in first out among equals. Both operations are O(1).
 class RadiusQueue {
  public:
@@ -50,9 +40,6 @@ class RadiusQueue {
     buckets_[lowest_].pop_back();
     return entry;
   }
-  /// The entries about as small as the one taken last, in order of their turns.
-  std::size_t peer_count() const { return lowest_ < kBuckets ? buckets_[lowest_].size() : 0; }
-  const Queued& peer(std::size_t turns) const { return buckets_[lowest_].end()[-1 - std::ptrdiff_t(turns)]; }
 
  private:
   static constexpr int kBitsOfFraction = 5;  // of the square
