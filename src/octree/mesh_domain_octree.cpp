@@ -116,9 +116,7 @@ class Run {
     enter("balance");
     stats_.balance_splits = balance(
         forest_, [this](const Cell& cell) { set_child_flags(cell); }, options_.threads);
-    if (guest_ != nullptr) {
-      guest_->on_forest(forest_, [this](const char* phase) { enter(phase); });
-    }
+    if (guest_ != nullptr) guest_->on_forest(forest_, [this](const char* phase) { enter(phase); });
     enter("choose");
     emission_.emplace(forest_, Emission::Settings{options_.threads, [this](const Tet& t) { return keeps(t); },
                                                   [this] { poll(forest_.bytes()); }, guest_});
