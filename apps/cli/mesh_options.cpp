@@ -200,14 +200,15 @@ void check_output(const MeshCommandOptions& options) {
   check_write_options(options.output, options.write);
 }
 
-/// An octree run that is ended early has no mesh to keep.
+/// An octree run without points that is ended early has no mesh to keep.
 Strategy strategy_of(const MeshCommandOptions& options) {
   Strategy strategy = Strategy::kAuto;
   for (const Strategy named : {Strategy::kThrifty, Strategy::kLiteral, Strategy::kClosure, Strategy::kOctree})
     if (options.strategy == to_string(named)) strategy = named;
-  if (strategy == Strategy::kOctree && options.keep_partial)
+  if (strategy == Strategy::kOctree && options.keep_partial && !options.domain.has_inputs())
     throw Error(ErrorCode::kBadOption,
-                "--keep-partial has no effect with --strategy octree, which has no mesh until its end");
+                "--keep-partial has no effect with --strategy octree and no points: there is no mesh until "
+                "its end");
   if (strategy == Strategy::kClosure && options.domain.has_inputs())
     throw Error(ErrorCode::kBadOption, "--strategy closure knows no points: use thrifty, octree or literal");
   return strategy == Strategy::kAuto && options.keep_partial ? Strategy::kThrifty : strategy;

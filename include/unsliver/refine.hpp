@@ -78,7 +78,7 @@ struct MeshStats {
 
 struct MeshResult {
   MeshStatus status = MeshStatus::kDone;  ///< other than kDone: a valid Delaunay superset mesh, guarantees
-                                          ///< not reached; empty with kOctree
+                                          ///< not reached; empty with kOctree and no points
   TetMesh mesh;
   MeshStats stats;
   std::vector<std::string> notes;  ///< on the input vertices: duplicates, points outside the domain

@@ -39,7 +39,7 @@ void visit_leaves(const Forest& forest, const Block& block, int place, const Cel
   const Node& node = forest[cell.node];
   if ((node.flags & kOutside) != 0) return;
   if (node.is_leaf()) return visitor.leaf(LeafView{forest, block, place, cell});
-  if (is_uniform(block, place)) return visitor.uniform(block, place, cell);
+  if (is_uniform(block, place) && (node.flags & kDisturbed) == 0) return visitor.uniform(block, place, cell);
   const Block inner = child_block(forest, block, place);
   for (int child = 0; child < 8; ++child)
     visit_leaves(forest, inner, place_of_child(child), forest.child(cell, child), visitor);
@@ -51,6 +51,9 @@ void for_each_cell(const Forest& forest, const Cell& cell, const OnLeaf& on_leaf
   if (forest[cell.node].is_leaf()) return on_leaf(cell);
   for (int child = 0; child < 8; ++child) for_each_cell(forest, forest.child(cell, child), on_leaf);
 }
+
+/// Are all its tetrahedra kept?
+bool is_whole(const Node& leaf) { return (leaf.flags & (kInside | kDisturbed)) == kInside; }
 
 /// World coordinates of a slot.
 Vec3 slot_point(const LeafView& leaf, Key key, int slot) {
@@ -88,13 +91,17 @@ class Emission::Chooser {
   Chooser(Emission& all, Task& task, TemplateCache& templates)
       : forest_(all.forest_),
         keep_(all.settings_.keep),
+        guest_(all.settings_.guest),
         uniform_(all.uniform_),
         task_(task),
         templates_(templates) {}
 
-  void uniform(const Block&, int, const Cell& cell) const {
+  /// Neighbours that are whole mark their own vertices, but beside guests they may not be.
+  void uniform(const Block& block, int place, const Cell& cell) const {
     task_.leaves += 8;
     task_.tets += uniform_.tet_count();
+    if (guest_ != nullptr)
+      return uniform_.visit_uses(block, place, [this](NodeId n, std::uint8_t own) { mark(n, own); });
     const NodeId first = forest_[cell.node].link;
     for (NodeId n = first; n < first + 8; ++n) mark(n, kUniformUse);
   }
@@ -103,7 +110,7 @@ class Emission::Chooser {
     const Key key = key_of(leaf);
     const Template& made = templates_[key];
     ++task_.leaves;
-    if ((forest_[leaf.cell.node].flags & kInside) != 0)
+    if (is_whole(forest_[leaf.cell.node]))
       take_all(leaf, made);
     else
       take_some(leaf, key, made);
@@ -119,13 +126,18 @@ class Emission::Chooser {
   }
 
   void take_some(const LeafView& leaf, Key key, const Template& made) const {
+    const std::uint8_t flags = forest_[leaf.cell.node].flags;
+    const bool inside = (flags & kInside) != 0;
+    const auto others =
+        (flags & kDisturbed) != 0 ? guest_->neighbours(leaf.cell.node) : std::span<const Vec3>();
     std::array<Vec3, kSlotCount> points;
     for (const std::size_t slot : made.slots) points[slot] = slot_point(leaf, key, int(slot));
     std::uint64_t slots = 0, word = 0;
     for (std::size_t i = 0; i < made.tets.size(); ++i) {
       const auto& t = made.tets[i];
       if (i % 64 == 0 && i > 0) task_.kept.push_back(std::exchange(word, 0));
-      if (!keep_({points[t[0]], points[t[1]], points[t[2]], points[t[3]]})) continue;
+      const Tet corners{points[t[0]], points[t[1]], points[t[2]], points[t[3]]};
+      if (gives_way(corners, others) || (!inside && !keep_(corners))) continue;
       word |= std::uint64_t{1} << i % 64;
       for (const int slot : t) slots |= std::uint64_t{1} << slot;
       ++task_.tets;
@@ -147,6 +159,7 @@ class Emission::Chooser {
 
   Forest& forest_;
   const std::function<bool(const Tet&)>& keep_;
+  const Guest* guest_;
   const UniformPattern& uniform_;
   Task& task_;
   TemplateCache& templates_;
@@ -215,7 +228,7 @@ class Emission::Writer {
     const Template& made = templates_[key_of(leaf)];
     VertexId ids[kSlotCount];
     for (const std::size_t slot : made.slots) ids[slot] = number_of(vertex_at(leaf, int(slot)));
-    const bool all = (forest_[leaf.cell.node].flags & kInside) != 0;
+    const bool all = is_whole(forest_[leaf.cell.node]);
     std::array<VertexId, 4>* out = out_;
     for (std::size_t i = 0; i < made.tets.size(); ++i) {
       const auto& t = made.tets[i];

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "octree/forest.hpp"
+#include "octree/guest.hpp"
 #include "octree/template_table.hpp"
 #include "octree/uniform.hpp"
 #include "unsliver/mesh.hpp"
@@ -25,6 +26,8 @@ class Emission {
     std::function<bool(const Tet&)> keep;
     /// Called now and then from the calling thread; may throw.
     std::function<void()> poll;
+    /// To be asked about leaves that are kDisturbed, may be null if there are none.
+    const Guest* guest = nullptr;
   };
 
   /// Requires a balanced forest, which must outlive this.

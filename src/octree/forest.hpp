@@ -20,12 +20,13 @@ inline constexpr NodeId kNoNode = -1;  ///< beyond the forest
 /// What is known of a node. Where it lies with respect to the domain (see LeafTest) holds for all descendants
 /// too.
 enum NodeFlag : std::uint8_t {
-  kHasCenter = 1,  ///< of leaves: the centre is a vertex
-  kInside = 2,     ///< all tetrahedra that the node can own lie inside the domain
-  kOutside = 4,    ///< all of them lie outside
-  kDeep = 8,       ///< the node's face neighbours are inside, too
-  kUniform = 16,   ///< of split nodes: all children are leaves with kHasCenter and kInside
-  kRemote = 32,    ///< no guest is within kDeepReach sides of the centre
+  kHasCenter = 1,   ///< of leaves: the centre is a vertex
+  kInside = 2,      ///< all tetrahedra that the node can own lie inside the domain
+  kOutside = 4,     ///< all of them lie outside
+  kDeep = 8,        ///< the node's face neighbours are inside, too
+  kUniform = 16,    ///< of split nodes: all children are leaves with kHasCenter and kInside
+  kDisturbed = 32,  ///< of leaves: some tetrahedra may give way to a guest's vertices; of their parents, too
+  kVisited = 64,    ///< of leaves: a guest is to be asked about its vertices
 };
 
 struct Node {

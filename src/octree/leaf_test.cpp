@@ -69,24 +69,21 @@ LeafTest::LeafTest(const Domain& domain, const Sizing& sizing, const lattice::Wo
       hole_share_(hole_share(lipschitz_)) {}
 
 std::uint8_t LeafTest::flags(const Cell& cell, std::uint8_t parent_flags) {
-  const std::uint8_t remote = remoteness(cell, parent_flags);
   std::uint8_t flags = parent_flags & (kInside | kOutside | kDeep);
-  if ((flags & (kOutside | kDeep)) != 0) return flags | remote;
+  if ((flags & (kOutside | kDeep)) != 0) return flags;
   const Vec3 center = world_.to_caller(cell.center());
   const double h = double(cell.side()) * unit_;
   if (flags == 0) {
     const int side = side_of_ball(center, h);
     flags = side < 0 ? kInside : side > 0 ? kOutside : 0;
   }
-  const bool may_be_deep = lipschitz_ != 0 && (guests_ == nullptr || remote != 0);
-  if (flags == kInside && may_be_deep && side_of_ball(center, kDeepReach * h) < 0) flags |= kDeep;
-  return flags | remote;
+  const bool may_be_deep = flags == kInside && lipschitz_ != 0;  // without effect where s is constant
+  if (may_be_deep && is_remote(cell) && side_of_ball(center, kDeepReach * h) < 0) flags |= kDeep;
+  return flags;
 }
 
-/// A child's ball of kDeepReach sides is inside its parent's.
-std::uint8_t LeafTest::remoteness(const Cell& cell, std::uint8_t parent_flags) const {
-  if (guests_ == nullptr || (parent_flags & kRemote) != 0) return parent_flags & kRemote;
-  return guests_->has_within(cell.center(), kDeepReach * double(cell.side()), 1) ? 0 : kRemote;
+bool LeafTest::is_remote(const Cell& cell) const {
+  return guests_ == nullptr || !guests_->has_within(cell.center(), kDeepReach * double(cell.side()), 1);
 }
 
 Verdict LeafTest::judge(const Cell& cell, std::uint8_t flags) {

@@ -17,7 +17,7 @@
 /// vertices of C, for p in C.
 ///
 /// Beside guests (octree/guest.hpp), who may leave vertices out, a leaf counts as deep only if no guest is
-/// within 3.67 h of its centre either (kRemote).
+/// within 3.67 h of its centre either.
 ///
 /// Where the domain is the forest's brick itself, all tetrahedra are kept: all nodes are kWholeInside.
 #pragma once
@@ -80,7 +80,7 @@ class LeafTest {
   double size_at(const Vec3& x);
   double size_over(const Box3& box);
   int side_of_ball(const Vec3& x, double radius);
-  std::uint8_t remoteness(const Cell& cell, std::uint8_t parent_flags) const;
+  bool is_remote(const Cell& cell) const;
 
   const Domain& domain_;
   const Sizing& sizing_;

@@ -116,13 +116,10 @@ class Run {
     enter("balance");
     stats_.balance_splits = balance(
         forest_, [this](const Cell& cell) { set_child_flags(cell); }, options_.threads);
-    if (guest_ != nullptr) {
-      enter("points");
-      guest_->on_forest(forest_);
-    }
+    if (guest_ != nullptr) guest_->on_forest(forest_, [this](const char* phase) { enter(phase); });
     enter("choose");
     emission_.emplace(forest_, Emission::Settings{options_.threads, [this](const Tet& t) { return keeps(t); },
-                                                  [this] { poll(forest_.bytes()); }});
+                                                  [this] { poll(forest_.bytes()); }, guest_});
     emission_->choose();
     check_caps();
     enter("number");
@@ -138,7 +135,6 @@ class Run {
   }
 
   bool keeps(const Tet& world_tet) const {
-    if (guest_ != nullptr && !guest_->keeps(world_tet)) return false;
     Tet t;
     for (std::size_t i = 0; i < 4; ++i) t[i] = world().to_caller(world_tet[i]);
     return domain_.meets(t);
@@ -153,18 +149,34 @@ class Run {
   void write() {
     mesh_.frame = world().frame();
     const std::size_t vertices = emission_->vertex_count(), tets = emission_->tet_count();
-    require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) + tets * sizeof(mesh_.tets[0]));
+    const std::size_t of_guest = guest_ != nullptr ? guest_->tet_count() : 0;
+    require_bytes(emission_->bytes() + vertices * (sizeof(Vec3) + 1) +
+                  (tets + of_guest) * sizeof(mesh_.tets[0]));
+    if (guest_ != nullptr) {
+      mesh_.points.reserve(vertices + guest_->most_vertices());
+      mesh_.levels.reserve(vertices + guest_->most_vertices());
+    }
     resize_together(mesh_.points, vertices, options_.threads);
     resize_together(mesh_.levels, vertices, options_.threads);
     const auto place = [this](VertexId v, const Vec3& p, const Cell& owner, unsigned) {
       mesh_.points[v] = world().to_caller(p);
-      mesh_.levels[v] = guest_ != nullptr ? guest_->on_vertex(v, p, owner, forest_[owner.node])
-                                          : std::uint8_t(lattice::canonical_level(p));
+      mesh_.levels[v] = level_of(v, p, owner);
     };
     emission_->write_points(place);
+    mesh_.tets.reserve(tets + of_guest);
     resize_together(mesh_.tets, tets, options_.threads);
     emission_->write_tets(mesh_.tets.data());
     if (guest_ != nullptr) guest_->complete(mesh_);
+  }
+
+  /// Beside guests no coarser than BCC_k, k the leaf's exponent, so that they need not mind vertices that are
+  /// far from them.
+  std::uint8_t level_of(VertexId number, const Vec3& p, const Cell& owner) {
+    const lattice::Level canonical = lattice::canonical_level(p);
+    if (guest_ == nullptr) return std::uint8_t(canonical);
+    const lattice::Level coarse = std::min(canonical, 2 * owner.exponent);
+    const bool is_visited = (forest_[owner.node].flags & (kVisited | kOutside)) != 0;
+    return is_visited ? guest_->on_vertex(number, p, coarse) : std::uint8_t(coarse);
   }
 
   void stream_points(MeshSink& sink) {

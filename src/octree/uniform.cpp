@@ -37,6 +37,7 @@ UniformPattern::UniformPattern() {
       std::array<std::uint8_t, 4> corners;
       for (std::size_t i = 0; i < 4; ++i)
         corners[i] = std::uint8_t(vertex_number(place_of_child(child), t[i]));
+      for (const std::uint8_t corner : corners) uses_[corner / 2] |= std::uint8_t(1 << corner % 2);
       tets_.push_back(corners);
     }
 }
@@ -47,7 +48,7 @@ std::array<std::uint32_t, 4>* UniformPattern::write(const Forest& forest, const 
   for_each_child_place(block, place, [&](std::size_t at, NodeId leaf) {
     const auto first = std::uint32_t(~forest[leaf].link);
     ids[2 * at] = first;
-    ids[2 * at + 1] = first + 1;
+    ids[2 * at + 1] = first + (forest[leaf].used & 1);  // a guest may have taken the centre
   });
   for (const auto& t : tets_) *out++ = {ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]]};
   return out;

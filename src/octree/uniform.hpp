@@ -25,6 +25,13 @@ class UniformPattern {
   UniformPattern();
 
   std::size_t tet_count() const { return tets_.size(); }
+  /// Calls visit(leaf, own vertices that they use) for the children and the leaves around.
+  template <class Visit>
+  void visit_uses(const Block& block, int place, const Visit& visit) const {
+    for_each_child_place(block, place, [&](std::size_t at, NodeId leaf) {
+      if (uses_[at] != 0) visit(leaf, uses_[at]);
+    });
+  }
   /// Writes them for the node at a place of `block`, for which is_uniform; returns the end. In the order, and
   /// with the corners in the order, of the children's templates.
   std::array<std::uint32_t, 4>* write(const Forest& forest, const Block& block, int place,
@@ -33,6 +40,7 @@ class UniformPattern {
  private:
   /// Corners as 2 * (place in the block of children) + (0 the centre, 1 the lower corner of the leaf there).
   std::vector<std::array<std::uint8_t, 4>> tets_;
+  std::array<std::uint8_t, 64> uses_{};  ///< by place: own vertices, of kUniformUse
 };
 
 }  // namespace unsliver::octree

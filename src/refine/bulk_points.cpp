@@ -1,5 +1,6 @@
 #include "refine/bulk_points.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace unsliver::refine {
@@ -30,16 +31,6 @@ std::optional<octree::Cell> BulkPoints::leaf_at(const Vec3& p, int octant) const
                                    upper(p.z, middle.z, octant, 2) << 2);
   }
   return cell;
-}
-
-std::optional<int> BulkPoints::exponent_at(const Vec3& p) const {
-  std::optional<int> least;
-  for (int octant = 0; octant < 8; ++octant) {
-    const auto leaf = leaf_at(p, octant);
-    if (!leaf || (least && *least <= leaf->exponent)) continue;
-    if (visit_vertices(*leaf, [&](const Vec3& vertex) { return vertex == p; })) least = leaf->exponent;
-  }
-  return least;
 }
 
 }  // namespace unsliver::refine

@@ -7,110 +7,143 @@
 #include <cmath>
 #include <optional>
 
-#include "geom/triangle_bvh.hpp"
 #include "lattice/level.hpp"
 #include "octree/forest.hpp"
 
 namespace unsliver::refine {
+
+/// The nearest one of points that come one by one; of equally near ones the first.
+class Nearest {
+ public:
+  Nearest(const Vec3& center, double radius) : center_(center), within_sq_(radius * radius) {}
+
+  /// No point at a larger squared distance will do.
+  double within_sq() const { return within_sq_; }
+  const std::optional<Vec3>& found() const { return found_; }
+
+  template <class Accept>
+  void consider(const Vec3& p, const Accept& accept) {
+    const double d = dist_sq(p, center_);
+    if ((found_ ? d >= within_sq_ : d > within_sq_) || !accept(p)) return;
+    found_ = p;
+    within_sq_ = d;
+  }
+
+ private:
+  Vec3 center_;
+  double within_sq_;
+  std::optional<Vec3> found_;
+};
 
 /// Points are world points.
 class BulkPoints {
  public:
   explicit BulkPoints(const octree::Forest& forest) : forest_(forest) {}
 
+  /// The leaf that holds p, or p's neighbourhood in the direction of `octant`; nothing beyond the forest.
+  std::optional<octree::Cell> leaf_at(const Vec3& p, int octant = 7) const;
+
   /// The exponent of the smallest leaf that has p as a corner, or as its centre; nothing where p is no
-  /// vertex.
-  std::optional<int> exponent_at(const Vec3& p) const;
-
-  /// Calls visit(p) for vertices, among them all those in the closed ball, some more than once, until it
-  /// returns true; begins around the centre.
+  /// vertex. Calls visit(leaf) for those leaves, some more than once.
   template <class Visit>
-  void visit_ball(const Vec3& center, double radius, const Visit& visit) const {
-    if (const auto leaf = leaf_at(center); leaf && visit_vertices(*leaf, visit)) return;
-    const auto reaches = [&](const octree::Cell& cell) {
-      return dist_sq_to(cell, center) <= radius * radius;
-    };
-    visit_cells(center, radius, reaches,
-                [&](const octree::Cell& leaf, octree::NodeId) { return visit_vertices(leaf, visit); });
+  std::optional<int> exponent_at(const Vec3& p, const Visit& visit) const {
+    std::optional<int> least;
+    for (int octant = 0; octant < 8; ++octant) {
+      const auto leaf = leaf_at(p, octant);
+      if (!leaf || !has_vertex(*leaf, p)) continue;
+      visit(*leaf);
+      least = std::min(leaf->exponent, least.value_or(leaf->exponent));
+    }
+    return least;
+  }
+  std::optional<int> exponent_at(const Vec3& p) const {
+    return exponent_at(p, [](const octree::Cell&) {});
   }
 
-  /// Calls visit(leaf, its parent) for leaves no farther from q than `share` of their side. Roots are their
-  /// own parents.
-  template <class Visit>
-  void visit_leaves_near(const Vec3& q, double share, const Visit& visit) const {
-    const double reach = share * lattice::power_of_two(forest_.brick().exponent);
-    const auto reaches = [&](const octree::Cell& cell) { return is_near(cell, q, share); };
-    visit_cells(q, reach, reaches, [&](const octree::Cell& leaf, octree::NodeId parent) {
-      visit(leaf, parent);
-      return false;
-    });
-  }
-  /// Calls visit(p) for the vertices of these leaves.
-  template <class Visit>
-  void visit_near(const Vec3& q, double share, const Visit& visit) const {
-    visit_leaves_near(q, share, [&](const octree::Cell& leaf, octree::NodeId) {
-      visit_vertices(leaf, [&](const Vec3& p) { return visit(p), false; });
-    });
+  /// The vertex nearest to the centre, of those in the closed ball that `accept` accepts.
+  template <class Accept>
+  std::optional<Vec3> nearest_if(const Vec3& center, double radius, const Accept& accept) const {
+    Nearest nearest(center, radius);
+    const auto consider = [&](const Vec3& p) { nearest.consider(p, accept); };
+    if (const auto leaf = leaf_at(center)) visit_vertices(*leaf, consider);  // a good bound for the others
+    visit_leaves(
+        {center, center}, radius,
+        [&](const octree::Node&, double distance_sq) { return distance_sq <= nearest.within_sq(); },
+        [&](const octree::Cell& leaf, octree::NodeId) { visit_vertices(leaf, consider); });
+    return nearest.found();
   }
 
-  static bool is_near(const octree::Cell& cell, const Vec3& q, double share) {
-    const double reach = share * double(cell.side());
-    return dist_sq_to(cell, q) <= reach * reach;
-  }
-
- private:
-  static double dist_sq_to(const octree::Cell& cell, const Vec3& q) {
-    const double side = double(cell.side());
-    return geom::dist_sq(q, {cell.corner(), cell.corner() + Vec3{side, side, side}});
-  }
-  static Vec3 corner_of(const octree::Cell& cell, int number) {
-    const double side = double(cell.side());
-    return cell.corner() + side * Vec3{double(number & 1), double(number >> 1 & 1), double(number >> 2)};
-  }
-
-  template <class Visit>
-  bool visit_vertices(const octree::Cell& leaf, const Visit& visit) const {
-    if ((forest_[leaf.node].flags & octree::kHasCenter) != 0 && visit(leaf.center())) return true;
-    for (int number = 0; number < 8; ++number)
-      if (visit(corner_of(leaf, number))) return true;
-    return false;
-  }
-
-  /// Leaves below nodes that `enter` lets in, those in roots that the ball may reach.
+  /// Calls visit(leaf, its parent) for leaves below nodes that enter(node, squared distance to the box) lets
+  /// in, of those in roots that are within the distance of the box. Roots are their own parents.
   template <class Enter, class Visit>
-  void visit_cells(const Vec3& center, double radius, const Enter& enter, const Visit& visit) const {
-    const Range x = roots_across(center.x, radius, 0), y = roots_across(center.y, radius, 1),
-                z = roots_across(center.z, radius, 2);
+  void visit_leaves(const Box3& box, double distance, const Enter& enter, const Visit& visit) const {
+    const Range x = roots_across(box, distance, 0), y = roots_across(box, distance, 1),
+                z = roots_across(box, distance, 2);
     for (int k = z.first; k <= z.last; ++k)
       for (int j = y.first; j <= y.last; ++j)
         for (int i = x.first; i <= x.last; ++i) {
           const octree::Cell root = forest_.root_cell(i, j, k);
-          if (visit_below(root, root.node, enter, visit)) return;
+          if (enter(forest_[root.node], dist_sq_between(root, box)))
+            visit_below(root, root.node, box, enter, visit);
         }
   }
-  template <class Enter, class Visit>
-  bool visit_below(const octree::Cell& cell, octree::NodeId parent, const Enter& enter,
-                   const Visit& visit) const {
-    if (!enter(cell)) return false;
-    if (forest_[cell.node].is_leaf()) return visit(cell, parent);
+
+  /// Calls visit(p) for the leaf's vertices, its centre first.
+  template <class Visit>
+  void visit_vertices(const octree::Cell& leaf, const Visit& visit) const {
+    if ((forest_[leaf.node].flags & octree::kHasCenter) != 0) visit(leaf.center());
+    const double side = double(leaf.side());
     for (int number = 0; number < 8; ++number)
-      if (visit_below(forest_.child(cell, number), cell.node, enter, visit)) return true;
-    return false;
+      visit(leaf.corner() + side * Vec3{double(number & 1), double(number >> 1 & 1), double(number >> 2)});
+  }
+
+  bool has_vertex(const octree::Cell& leaf, const Vec3& p) const {
+    bool found = false;
+    visit_vertices(leaf, [&](const Vec3& vertex) { found = found || vertex == p; });
+    return found;
+  }
+
+  double root_side() const { return lattice::power_of_two(forest_.brick().exponent); }
+
+  /// The squared distance of a cell and a box.
+  static double dist_sq_between(const octree::Cell& cell, const Box3& box) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) sum += gap_sq(cell.corner()[axis], double(cell.side()), box, axis);
+    return sum;
+  }
+
+ private:
+  static double gap_sq(double lo, double side, const Box3& box, int axis) {
+    const double gap = std::max(0.0, std::max(lo - box.hi[axis], box.lo[axis] - (lo + side)));
+    return gap * gap;
+  }
+
+  template <class Enter, class Visit>
+  void visit_below(const octree::Cell& cell, octree::NodeId parent, const Box3& box, const Enter& enter,
+                   const Visit& visit) const {
+    const octree::NodeId first = forest_[cell.node].link;
+    if (forest_[cell.node].is_leaf()) return visit(cell, parent);
+    double gaps_sq[3][2];
+    const double half = 0.5 * double(cell.side());
+    for (int axis = 0; axis < 3; ++axis)
+      for (int upper = 0; upper < 2; ++upper)
+        gaps_sq[axis][upper] = gap_sq(cell.corner()[axis] + upper * half, half, box, axis);
+    for (int number = 0; number < 8; ++number)
+      if (enter(forest_[first + number],
+                gaps_sq[0][number & 1] + gaps_sq[1][number >> 1 & 1] + gaps_sq[2][number >> 2]))
+        visit_below(forest_.child(cell, number), cell.node, box, enter, visit);
   }
   struct Range {
     int first, last;
   };
-  Range roots_across(double center, double radius, std::size_t axis) const {
+  Range roots_across(const Box3& box, double distance, int axis) const {
     const octree::Brick& brick = forest_.brick();
-    const double side = lattice::power_of_two(brick.exponent), most = brick.count[axis] - 1;
+    const double lo = double(brick.lo[std::size_t(axis)]), most = brick.count[std::size_t(axis)] - 1;
     const auto index = [&](double c) {
-      return int(std::clamp(std::floor((c - double(brick.lo[axis])) / side), 0.0, most));
+      return int(std::clamp(std::floor((c - lo) / root_side()), 0.0, most));
     };
-    return {index(center - radius - 1), index(center + radius)};
+    return {index(box.lo[axis] - distance - 1), index(box.hi[axis] + distance)};
   }
-
-  /// The leaf that holds p, or p's neighbourhood in the direction of `octant`; nothing beyond the forest.
-  std::optional<octree::Cell> leaf_at(const Vec3& p, int octant = 7) const;
 
   const octree::Forest& forest_;
 };

@@ -89,22 +89,29 @@ std::vector<std::string> notes_on_inputs(const refine::Refinement& r) {
   return notes;
 }
 
-MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
-                              const MeshOptions& options, const Control& control) {
+/// What the kernel holds, finished or not. The phase is that of the extraction.
+MeshResult result_of(refine::Refinement& refinement, MeshStatus status,
+                     const refine::Extraction& extraction) {
   MeshResult result;
-  refine::Refinement refinement(domain, sizing, inputs, options, control);
+  result.status = status;
   result.notes = notes_on_inputs(refinement);
-  result.status = status_after(run, refinement, options.strategy);
-  refine::Extraction extraction = enter_extraction(refinement);
-  while (result.status == MeshStatus::kDone && refine::want_dropped_proofs(refinement, extraction)) {
-    result.status = status_after(run_again, refinement, options.strategy);
-    extraction = enter_extraction(refinement);
-  }
   result.mesh = refine::extract_superset(refinement, extraction);
   refinement.finish_phases();
   result.stats = refinement.stats();
   copy_counts(refinement, result.stats);
   return result;
+}
+
+MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
+                              const MeshOptions& options, const Control& control) {
+  refine::Refinement refinement(domain, sizing, inputs, options, control);
+  MeshStatus status = status_after(run, refinement, options.strategy);
+  refine::Extraction extraction = enter_extraction(refinement);
+  while (status == MeshStatus::kDone && refine::want_dropped_proofs(refinement, extraction)) {
+    status = status_after(run_again, refinement, options.strategy);
+    extraction = enter_extraction(refinement);
+  }
+  return result_of(refinement, status, extraction);
 }
 
 MeshStatus status_of(octree::OctreeStatus status) {
@@ -166,6 +173,7 @@ void require_inputs_in_box(const Domain& domain, std::span<const Vec3> inputs) {
                   outside - inputs.begin(), outside->x, outside->y, outside->z));
 }
 
+/// A run that is ended early has the input vertices and what the kernel holds around them.
 MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                           const MeshOptions& options, const Control& control) {
   require_inputs_in_box(domain, inputs);
@@ -177,6 +185,8 @@ MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, std::span<
   } catch (const refine::Stopped& stopped) {
     result.status = stopped.status;
   }
+  if (result.status != MeshStatus::kDone)
+    return result_of(refinement, result.status, enter_extraction(refinement));
   result.notes = notes_on_inputs(refinement);
   const MeshStats& stats = refinement.stats();
   result.stats.size_insertions = stats.size_insertions;

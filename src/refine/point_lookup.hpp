@@ -1,48 +1,67 @@
 /// \file
-/// Which vertex is at a point? Made for questions about millions of points, few of which are there.
+/// Which vertex is at a point?
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "unsliver/types.hpp"
 
 namespace unsliver::refine {
 
-/// World points with the kernel's vertex of each. Most points asked for are not there: a small bitmap says
-/// so.
+/// World points with a vertex each, by open addressing in a table at most half full.
 class PointLookup {
  public:
-  /// All points, then finish(), then questions.
-  void add(const Vec3& p, VertexId v) {
-    entries_.push_back({p, v});
-    bits_[hash(p) / 64] |= std::uint64_t{1} << hash(p) % 64;
-  }
-  void finish() { std::sort(entries_.begin(), entries_.end(), before); }
   /// kNoVertex where there is none.
-  VertexId find(const Vec3& p) const {
-    if ((bits_[hash(p) / 64] >> hash(p) % 64 & 1) == 0) return kNoVertex;
-    const auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{p, 0}, before);
-    return at != entries_.end() && at->p == p ? at->v : kNoVertex;
+  VertexId find(const Vec3& p) const { return entries_[slot_of(p)].v; }
+
+  /// The vertex at p; where there was none, v from now on. Requires v to be other than kNoVertex.
+  VertexId find_or_add(const Vec3& p, VertexId v) {
+    if (2 * count_ >= entries_.size()) grow();
+    Entry& entry = entries_[slot_of(p)];
+    if (entry.v == kNoVertex) {
+      entry = {p, v};
+      ++count_;
+    }
+    return entry.v;
   }
+
+  /// The same; says whether there was none.
+  bool add(const Vec3& p, VertexId v) {
+    const std::size_t before = count_;
+    find_or_add(p, v);
+    return count_ != before;
+  }
+
+  std::size_t bytes() const { return entries_.size() * sizeof(Entry); }
 
  private:
   struct Entry {
     Vec3 p;
-    VertexId v;
+    VertexId v = kNoVertex;
   };
-  static bool before(const Entry& a, const Entry& b) { return lex_less(a.p, b.p); }
+
   static std::size_t hash(const Vec3& p) {
     const auto mixed = std::uint64_t(std::int64_t(p.x)) * 0x9E3779B97F4A7C15 +
                        std::uint64_t(std::int64_t(p.y)) * 0xC2B2AE3D27D4EB4F +
                        std::uint64_t(std::int64_t(p.z)) * 0x165667B19E3779F9;
-    return (mixed ^ mixed >> 29) * 0xBF58476D1CE4E5B9 >> (64 - kLogBits);
+    return (mixed ^ mixed >> 29) * 0xBF58476D1CE4E5B9 >> 16;
   }
-  static constexpr int kLogBits = 20;
+  /// Where p is, or where it would be put.
+  std::size_t slot_of(const Vec3& p) const {
+    std::size_t i = hash(p) & (entries_.size() - 1);
+    while (entries_[i].v != kNoVertex && !(entries_[i].p == p)) i = (i + 1) & (entries_.size() - 1);
+    return i;
+  }
+  void grow() {
+    const std::vector<Entry> old = std::exchange(entries_, std::vector<Entry>(2 * entries_.size()));
+    for (const Entry& entry : old)
+      if (entry.v != kNoVertex) entries_[slot_of(entry.p)] = entry;
+  }
 
-  std::vector<Entry> entries_;
-  std::vector<std::uint64_t> bits_ = std::vector<std::uint64_t>((std::size_t{1} << kLogBits) / 64);
+  std::vector<Entry> entries_ = std::vector<Entry>(1024);
+  std::size_t count_ = 0;
 };
 
 }  // namespace unsliver::refine

@@ -93,11 +93,13 @@ class Points(PointsTest):
         name = self.write("points.csv", rows(scattered(200, seed=4)))
         cap = ["--points", name, "--max-tets", "2k", "-o", "out.vtu"]
         self.refuse(1, "mesh", *cap, saying=["--max-tets 2,000"])
-        result = self.run_program("mesh", *cap, "--keep-partial", "--json", "report.json")
-        self.assertEqual(result.returncode, 1, result.stderr)
-        report = self.report("report.json")
-        self.assertEqual((report["status"], report["mesh"]["input_vertices"]), ("tet_cap", 200))
-        self.assertTrue(report["verify"]["ok"], report["verify"])
+        for more in [], ["--strategy", "octree", "--size", "0.1"]:
+            with self.subTest(more=more):
+                result = self.run_program("mesh", *cap, *more, "--keep-partial", "--json", "report.json")
+                self.assertEqual(result.returncode, 1, result.stderr)
+                report = self.report("report.json")
+                self.assertEqual((report["status"], report["mesh"]["input_vertices"]), ("tet_cap", 200))
+                self.assertTrue(report["verify"]["ok"], report["verify"])
 
 
 class Files(PointsTest):

@@ -188,7 +188,7 @@ void expect_verified(const Job& job, const TetMesh& mesh, const MeshOptions& ask
   VerifyOptions options;
   options.guarantee = QualityGuarantee{asked.min_dihedral_deg, asked.max_dihedral_deg,
                                        std::max(asked.max_radius_edge, least_radius_edge(true))};
-  options.delaunay_global = mesh.tets.size() < 5000;
+  options.delaunay_global = mesh.tets.size() < 300000;
   if (job.size->at({}) < kNoSize) options.size = [&](const Vec3& p) { return job.size->at(p); };
   options.inside = [&](const Vec3& p) { return job.domain->contains(p); };
   options.size_samples = 5000;
@@ -263,13 +263,52 @@ TEST(Figure8, OnOctreesKeepsEveryGuarantee) {
   }
 }
 
-TEST(Figure8, ACapEndsARunOnOctreesToo) {
+/// What is there is a mesh of the domain with the input vertices, Delaunay, but of any quality.
+void expect_partial(const Job& job, const MeshResult& result, MeshStatus status) {
+  EXPECT_EQ(result.status, status);
+  EXPECT_FALSE(result.mesh.limits);
+  expect_inputs_kept(job.inputs, result.mesh);
+  VerifyOptions options;
+  options.guarantee = QualityGuarantee{0, 180, std::numeric_limits<double>::infinity()};
+  options.delaunay_global = result.mesh.tets.size() < 300000;
+  options.inside = [&](const Vec3& p) { return job.domain->contains(p); };
+  options.must_cover = job.inputs;
+  const VerifyReport report = verify(result.mesh, options);
+  EXPECT_TRUE(report.ok);
+  for (const Finding& finding : report.findings) ADD_FAILURE() << finding.check << ": " << finding.message;
+}
+
+/// Caps that end the run in the kernel, in the forest, at the end; and the caller's wish.
+TEST(Figure8, ARunOnOctreesThatIsEndedEarlyLeavesAMesh) {
   Job job{"", random_points(300, 1)};
   job.size = constant_size(0.1);
   MeshOptions options;
   options.strategy = Strategy::kOctree;
-  options.max_tets = 5000;
-  EXPECT_EQ(mesh(job, options).status, MeshStatus::kTetCap);
+  const std::size_t needed = mesh(job, options).mesh.tets.size();
+  for (const std::uint64_t cap : {std::uint64_t{2000}, std::uint64_t{5000}, std::uint64_t{needed - 1}}) {
+    options.max_tets = cap;
+    expect_partial(job, mesh(job, options), MeshStatus::kTetCap);
+  }
+  options.max_tets = 0;
+  job.size = constant_size(0.02);
+  options.max_memory_bytes = 3'000'000;
+  expect_partial(job, mesh(job, options), MeshStatus::kMemoryCap);
+  options.max_memory_bytes = 0;
+  int asked = 0;
+  const MeshResult result =
+      mesh_domain(*job.domain, *job.size, job.inputs, options, {{}, [&asked] { return ++asked == 20; }});
+  expect_partial(job, result, MeshStatus::kCancelled);
+}
+
+TEST(Figure8, OnOctreesNamesItsPhases) {
+  Job job{"", random_points(20, 1)};
+  job.size = constant_size(0.1);
+  MeshOptions options;
+  options.strategy = Strategy::kOctree;
+  std::vector<std::string> names;
+  for (const PhaseTime& phase : mesh(job, options).stats.phases) names.push_back(phase.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"size", "balance", "lift", "quality", "stitch", "choose",
+                                             "number", "emit"}));
 }
 
 /// Holes of one or two tetrahedra are seldom met by samples.
