@@ -22,13 +22,20 @@ void BasicTriangulation<Geometry>::check_facet(TetId t, int slot) const {
   if (other.n[back] != facet_of(t, slot)) fail("neighbours do not know each other");
   std::array<VertexId, 3> mine, theirs;
   for (int j = 0; j < 3; ++j) {
-    mine[j] = tet.v[kFacetCorners[slot][j]];
-    theirs[j] = other.v[kFacetCorners[back][j]];
+    mine[j] = vertex_of(tet.v[kFacetCorners[slot][j]]);
+    theirs[j] = vertex_of(other.v[kFacetCorners[back][j]]);
   }
   std::sort(mine.begin(), mine.end());
   std::sort(theirs.begin(), theirs.end());
   if (mine != theirs) fail("neighbours share no facet");
-  if (const VertexId apex = other.v[back]; apex != kInfinite && in_conflict(t, point(apex)))
+  const auto shift = space_.across(other, back, tet);
+  for (const VertexId v : other.v)
+    for (const VertexId w : tet.v)
+      if (v != kInfinite && vertex_of(v) == vertex_of(w) &&
+          Geometry::position(space_.seen_from(point(v), shift)) != position(w))
+        fail("neighbours do not agree on the place of a corner");
+  if (const VertexId apex = other.v[back];
+      apex != kInfinite && in_conflict(t, space_.seen_from(point(apex), shift)))
     fail("not locally Delaunay");
 }
 

@@ -7,16 +7,16 @@ namespace unsliver::delaunay {
 
 template <class Geometry>
 VertexId BasicTriangulation<Geometry>::fill(const Point& p) {
-  const VertexId v = add_vertex(p);
-  fill_with(v);
+  const VertexId v = add_vertex(space_.home_of(p));
+  fill_with(v, space_.shift_from_home(p));
   return v;
 }
 
 template <class Geometry>
-void BasicTriangulation<Geometry>::fill_with(VertexId v) {
+void BasicTriangulation<Geometry>::fill_with(VertexId v, typename Space::Shift from_home) {
   clear_spared_marks();
   number_boundary_vertices();
-  make_star(v);
+  make_star(v, from_home);
   link_star();
 }
 
@@ -28,7 +28,7 @@ void BasicTriangulation<Geometry>::number_boundary_vertices() {
   local_.resize(boundary_.size());
   for (std::size_t i = 0; i < boundary_.size(); ++i)
     for (int j = 0; j < 3; ++j) {
-      std::uint64_t& number = vertices_[boundary_[i].v[j]].number;
+      std::uint64_t& number = vertices_[vertex_of(boundary_[i].v[j])].number;
       if (number < base) number = next_number_++;
       local_[i].v[j] = static_cast<std::uint32_t>(number - base);
     }
@@ -41,7 +41,7 @@ inline constexpr int kFiniteSlots[3] = {0, 1, 2};
 inline constexpr int kGhostSlots[3] = {1, 0, 3};
 
 template <class Geometry>
-void BasicTriangulation<Geometry>::make_star(VertexId v) {
+void BasicTriangulation<Geometry>::make_star(VertexId v, typename Space::Shift from_home) {
   created_.clear();
   for (std::size_t i = 0; i < boundary_.size(); ++i) {
     const TetId t = i < cavity_.size() ? cavity_[i] : store_.allocate();
@@ -54,6 +54,7 @@ void BasicTriangulation<Geometry>::make_star(VertexId v) {
       tet = {{facet.v[1], facet.v[0], v, kInfinite}, {}};
     else
       tet = {{facet.v[0], facet.v[1], facet.v[2], v}, {}};
+    space_.place_apex(tet.v, facet.frame, from_home);
     store_.glue(facet_of(t, ghost ? 2 : 3), facet.outer);
     const int* slots = ghost ? kGhostSlots : kFiniteSlots;
     const auto& n = local_[i].v;

@@ -4,6 +4,7 @@
 
 // One textbook step of Bowyer-Watson a file; one translation unit, so that the predicates inline into the
 // loops.
+#include "delaunay/adopt.ipp"
 #include "delaunay/carve.ipp"
 #include "delaunay/check.ipp"
 #include "delaunay/fill.ipp"
@@ -13,7 +14,7 @@
 namespace unsliver::delaunay {
 
 template <class Geometry>
-BasicTriangulation<Geometry>::BasicTriangulation() {
+BasicTriangulation<Geometry>::BasicTriangulation(const Space& space) : space_(space) {
   add_vertex(Point{});  // the vertex at infinity; its position is never read
 }
 
@@ -32,9 +33,10 @@ VertexId BasicTriangulation<Geometry>::add_vertex(const Point& p) {
 template <class Geometry>
 VertexId BasicTriangulation<Geometry>::insert(const Point& p, TetId hint) {
   if (dimension_ < 3) return insert_low_dimensional(p);
-  const TetId t = locate(p, hint);
-  const VertexId existing = corner_at(t, p);
-  return existing != kNoVertex ? existing : insert_in_conflict(p, t);
+  Point q = p;
+  const TetId t = walk_to(q, hint);
+  const VertexId existing = corner_at(t, q);
+  return existing != kNoVertex ? vertex_of(existing) : insert_in_conflict(q, t);
 }
 
 template <class Geometry>
@@ -48,5 +50,6 @@ std::vector<VertexId> BasicTriangulation<Geometry>::insert_all(std::span<const P
 }
 
 template class BasicTriangulation<Unweighted>;
+template class BasicTriangulation<PeriodicUnweighted>;
 
 }  // namespace unsliver::delaunay

@@ -24,8 +24,11 @@ template <class Geometry>
 class BasicTriangulation {
  public:
   using Point = typename Geometry::Point;
+  using Space = typename Geometry::Space;
+  template <class T>
+  using Seen = typename Space::template Seen<T>;
 
-  BasicTriangulation();
+  explicit BasicTriangulation(const Space& space = Space());
 
   /// --- Size and access. Vertex ids start at 1 in order of insertion; 0 is the vertex at infinity.
   int dimension() const { return dimension_; }
@@ -37,8 +40,11 @@ class BasicTriangulation {
   bool is_ghost(TetId t) const { return store_.is_ghost(t); }
   bool is_finite(TetId t) const { return alive(t) && !is_ghost(t); }
   const TetRecord& tet(TetId t) const { return store_[t]; }
-  const Point& point(VertexId v) const { return vertices_[v].point; }
-  const Vec3& position(VertexId v) const { return Geometry::position(vertices_[v].point); }
+  const Space& space() const { return space_; }
+  /// Of vertices and of corners (delaunay/space.hpp); in R^3 these are the same.
+  static VertexId vertex_of(VertexId corner) { return Space::vertex_of(corner); }
+  Seen<Point> point(VertexId v) const { return space_.place(vertices_[vertex_of(v)].point, v); }
+  Seen<Vec3> position(VertexId v) const { return Geometry::position(point(v)); }
   Tet corners(TetId t) const {
     const auto& v = store_[t].v;
     return {position(v[0]), position(v[1]), position(v[2]), position(v[3])};
@@ -50,7 +56,7 @@ class BasicTriangulation {
   }
   void prefetch(TetId t) const { store_.prefetch(t); }
   void prefetch_corners(TetId t) const {
-    for (const VertexId v : store_[t].v) __builtin_prefetch(vertices_.begin() + v);
+    for (const VertexId v : store_[t].v) __builtin_prefetch(vertices_.begin() + vertex_of(v));
   }
   const PredicateCounts& counts() const { return counts_; }
   void reserve(std::size_t vertices, std::size_t tets);
@@ -73,17 +79,24 @@ class BasicTriangulation {
   /// --- The steps (dimension 3 only).
   /// A tetrahedron whose closure holds p, or a ghost beyond whose facet p lies: in conflict with p unless p
   /// is a vertex.
-  TetId locate(const Point& p, TetId hint = kNoTet) const;
+  TetId locate(const Point& p, TetId hint = kNoTet) const {
+    Point copy = p;
+    return walk_to(copy, hint);
+  }
+  /// The same, and p becomes its copy seen from the frame of that tetrahedron.
+  TetId walk_to(Point& p, TetId hint = kNoTet) const;
   /// The corner of t at the position of p, or kNoVertex.
   VertexId corner_at(TetId t, const Point& p) const;
   /// Would inserting p remove t?
   bool in_conflict(TetId t, const Point& p) const;
-  /// Finds the conflict region of p, starting from a member; must be followed by fill or abandon.
+  /// Finds the conflict region of p, starting from a member, from whose frame p is seen; must be followed by
+  /// fill or abandon.
   void carve(const Point& p, TetId in_conflict);
   /// The conflict region and the corners of its boundary facets, valid between carve and fill or abandon.
   struct BoundaryFacet {
     VertexId v[3];  ///< (v, new vertex) is positively oriented; an infinite corner comes last
     Facet outer;    ///< the facet's other side, outside of the cavity
+    [[no_unique_address]] typename Space::Shift frame;  ///< of v, seen from where the carving began
   };
   std::span<const TetId> cavity() const { return cavity_.span(); }
   std::span<const BoundaryFacet> boundary() const { return boundary_.span(); }
@@ -91,6 +104,11 @@ class BasicTriangulation {
   VertexId fill(const Point& p);
   /// Leaves everything as it was before carve.
   void abandon();
+
+  /// --- On a torus, where there is no first tetrahedron to start from.
+  /// Takes a tetrahedralization that is there already: points at their homes, and tetrahedra with corners
+  /// (their vertices from 1 on) as positive as all others. Requires that none was taken or inserted before.
+  void adopt(std::span<const Point> points, std::span<const std::array<VertexId, 4>> tets);
 
   /// Throws std::logic_error naming the first broken invariant (adjacency, orientation, local Delaunay). For
   /// tests.
@@ -111,17 +129,18 @@ class BasicTriangulation {
   VertexId insert_low_dimensional(const Point& p);
   bool extends_basis(const Point& p) const;
   void start();
-  void fill_with(VertexId v);
+  void fill_with(VertexId v, typename Space::Shift from_home = {});
   int orient(VertexId a, VertexId b, VertexId c, const Point& p) const;
-  void doom_neighbours(const TetRecord& tet, const Point& p);
+  void doom_neighbours(const TetRecord& tet, const Point& p, typename Space::Shift frame);
   void prefetch_apexes(const TetRecord& tet) const;
-  void add_boundary_facets(const TetRecord& tet);
+  void add_boundary_facets(const TetRecord& tet, typename Space::Shift frame);
   void number_boundary_vertices();
-  void make_star(VertexId v);
+  void make_star(VertexId v, typename Space::Shift from_home);
   void link_star();
   void clear_spared_marks();
   void check_facet(TetId t, int slot) const;
 
+  [[no_unique_address]] Space space_;
   Store store_;
   PodVector<VertexRecord> vertices_;
   int dimension_ = -1;
@@ -129,6 +148,7 @@ class BasicTriangulation {
   std::map<Vec3, VertexId, decltype(&lex_less)> flat_{&lex_less};  ///< all vertices while dimension_ < 3
 
   PodVector<TetId> cavity_, spared_;
+  [[no_unique_address]] typename Space::Shifts frames_;  ///< of the cavity, seen from where it began
   std::vector<TetId> created_;
   PodVector<BoundaryFacet> boundary_;
   std::vector<LocalFacet> local_;  ///< one per boundary facet
@@ -139,5 +159,7 @@ class BasicTriangulation {
 
 using Triangulation = BasicTriangulation<Unweighted>;
 extern template class BasicTriangulation<Unweighted>;
+using PeriodicTriangulation = BasicTriangulation<PeriodicUnweighted>;
+extern template class BasicTriangulation<PeriodicUnweighted>;
 
 }  // namespace unsliver::delaunay
