@@ -28,6 +28,14 @@ struct QualityLimits {
   friend bool operator==(const QualityLimits&, const QualityLimits&) = default;
 };
 
+/// How a mesh of a periodic cell closes upon itself. Each vertex of the torus has one point in the cell, its
+/// *home*; the mesh holds copies of it, whole periods away, where tetrahedra reach beyond the cell.
+struct Periodicity {
+  Box3 cell;                                      ///< half open: its upper faces belong to its copies
+  std::vector<VertexId> home;                     ///< n: the point whose copy this is, or the point itself
+  std::vector<std::array<std::int8_t, 3>> shift;  ///< n: how many periods from home, along each axis
+};
+
 /// A tetrahedral mesh. n points, m tetrahedra. Optional arrays are empty or have the stated length.
 struct TetMesh {
   std::vector<Vec3> points;                        ///< n, the caller's coordinates and units
@@ -39,6 +47,8 @@ struct TetMesh {
   std::vector<std::int32_t> triangle_labels;       ///< one per triangle or empty
   std::optional<Frame> frame;                      ///< set in meshes of ours
   std::optional<QualityLimits> limits = std::nullopt;  ///< guaranteed by its maker, where the file says so
+  /// Set in periodic meshes, whose tetrahedra are a fundamental set: one of each with all its copies.
+  std::optional<Periodicity> periodicity = std::nullopt;
 
   Tet corners(std::size_t t) const {
     const auto& v = tets[t];

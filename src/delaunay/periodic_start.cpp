@@ -1,6 +1,7 @@
-// Why half a period around the cell is wide enough: a ball without copies that lie there and with a corner in
-// the cell is an empty ball of the torus, or else the smaller one, of half that period in diameter and
-// tangent at that corner from inside, were one. So all tetrahedra with a corner in the cell are right.
+// Why half a period around the cell is wide enough: a ball of less than that in diameter that touches a point
+// of the cell lies there, so if it holds none of the copies it is an empty ball of the torus. Where all
+// tetrahedra with a corner in the cell have such circumspheres, all these are tetrahedra of the torus; around
+// each vertex they close, so there are no others.
 #include "delaunay/periodic_start.hpp"
 
 #include <algorithm>
@@ -35,6 +36,13 @@ class Window {
     for (std::size_t i = 0; i < ids.size(); ++i) copy_of_[ids[i]] = copies_[i];
   }
 
+  bool is_fine_enough(const std::function<bool(const Tet&)>& is_small) const {
+    for (TetId t = 0; t < mesh_.slot_count(); ++t)
+      if (mesh_.alive(t) && has_home_corner(t) && (mesh_.is_ghost(t) || !is_small(mesh_.corners(t))))
+        return false;
+    return mesh_.tet_count() > 0;
+  }
+
   /// Of all copies of a tetrahedron the one whose first vertex, by number, is at home.
   std::vector<std::array<VertexId, 4>> fold() const {
     std::vector<std::array<VertexId, 4>> tets;
@@ -49,7 +57,7 @@ class Window {
         shifts[i] = copy.shift;
         if (v[i] < v[first]) first = i;
       }
-      if ((shifts[first].x | shifts[first].y | shifts[first].z) != 0) continue;
+      if (!is_zero(shifts[first])) continue;
       Torus::pack(v, shifts);
       tets.push_back({v[0], v[1], v[2], v[3]});
     }
@@ -57,6 +65,12 @@ class Window {
   }
 
  private:
+  bool has_home_corner(TetId t) const {
+    return std::any_of(mesh_.tet(t).v, mesh_.tet(t).v + 4,
+                       [this](VertexId v) { return v != kInfinite && is_zero(copy_of_[v].shift); });
+  }
+  static bool is_zero(const Torus::Shift& s) { return (s.x | s.y | s.z) == 0; }
+
   void add(const Vec3& at, const Copy& copy) {
     places_.push_back(at);
     copies_.push_back(copy);
@@ -70,9 +84,12 @@ class Window {
 
 }  // namespace
 
-PeriodicTriangulation periodic_start(const Torus& torus, std::span<const Vec3> points) {
+std::optional<PeriodicTriangulation> periodic_start(const Torus& torus, std::span<const Vec3> points,
+                                                    const std::function<bool(const Tet&)>& is_small) {
+  const Window window(torus, points);
+  if (!window.is_fine_enough(is_small)) return std::nullopt;
   PeriodicTriangulation mesh(torus);
-  mesh.adopt(points, Window(torus, points).fold());
+  mesh.adopt(points, window.fold());
   return mesh;
 }
 

@@ -40,6 +40,7 @@ struct Bounded {
   static const Point& seen_from(const Point& p, Shift) {
     return p;
   }
+  static const Vec3& seen_back(const Vec3& p, Shift) { return p; }
   template <class Point>
   static const Point& home_of(const Point& p) {
     return p;
@@ -107,6 +108,9 @@ class Torus {
   Vec3 seen_from(const Vec3& p, Shift shift) const {
     return {p.x - shift.x * period_.x, p.y - shift.y * period_.y, p.z - shift.z * period_.z};
   }
+
+  /// What is seen as p from a frame that is `shift` away, as it is seen from here.
+  Vec3 seen_back(const Vec3& p, Shift shift) const { return seen_from(p, difference({}, shift)); }
 
   /// The copy of p in [0, period).
   Vec3 home_of(const Vec3& p) const { return seen_from(p, shift_from_home(p)); }

@@ -99,6 +99,10 @@ class BasicTriangulation {
     [[no_unique_address]] typename Space::Shift frame;  ///< of v, seen from where the carving began
   };
   std::span<const TetId> cavity() const { return cavity_.span(); }
+  /// Where corner v of cavity()[i] is, seen from where the carving began.
+  Seen<Vec3> position_in_cavity(std::size_t i, VertexId v) const {
+    return space_.seen_back(position(v), frames_[i]);
+  }
   std::span<const BoundaryFacet> boundary() const { return boundary_.span(); }
   /// Replaces the cavity by the star of p; returns p's vertex.
   VertexId fill(const Point& p);

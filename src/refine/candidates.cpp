@@ -4,6 +4,8 @@
 
 #include "lattice/ball.hpp"
 #include "refine/guarantees.hpp"
+#include "refine/periodic_refinement.hpp"
+#include "refine/refinement.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::refine {
@@ -24,11 +26,13 @@ void broken_promise(const char* lemma) {
                   " of Labelle 2006 promises one: this is a bug in unsliver, please report it");
 }
 
-bool conflicts(const Refinement& r, TetId t, const Vec3& w) {
+template <class R>
+bool conflicts(const R& r, TetId t, const Vec3& w) {
   return r.mesh().corner_at(t, w) == kNoVertex && r.mesh().in_conflict(t, w);
 }
 
-std::optional<Vec3> first_conflicting(const Refinement& r, TetId t, std::span<const Vec3> points) {
+template <class R>
+std::optional<Vec3> first_conflicting(const R& r, TetId t, std::span<const Vec3> points) {
   const auto found =
       std::find_if(points.begin(), points.end(), [&](const Vec3& w) { return conflicts(r, t, w); });
   return found == points.end() ? std::nullopt : std::optional(*found);
@@ -41,14 +45,15 @@ std::vector<Vec3> points_in_ball(Level level, const Vec3& center, double radius)
   return points;
 }
 
-double inherited_lfs_bound(const Refinement& r, TetId t, const Vec3& w) {
+template <class R>
+double inherited_lfs_bound(const R& r, TetId t, const Vec3& w) {
   double bound = std::numeric_limits<double>::infinity();
   for (VertexId v : r.mesh().tet(t).v) bound = std::min(bound, r.lfs_bound(v) + dist(r.mesh().point(v), w));
   return bound * (1 + 1e-9);
 }
 
-std::vector<Vec3> points_in_tangent_ball(const Refinement& r, const geom::Sphere& sphere, VertexId v,
-                                         Level level) {
+template <class R>
+std::vector<Vec3> points_in_tangent_ball(const R& r, const geom::Sphere& sphere, VertexId v, Level level) {
   const double radius = lattice::covering_radius(level);
   return points_in_ball(level, tangent_center(sphere, r.mesh().point(v), radius), radius);
 }
@@ -71,7 +76,8 @@ Vec3 take_nearest(std::vector<Vec3>& points, const Vec3& center) {
 
 /// The certificate of a label for w, as a bound of lfs(w): inherited from a corner, or from two input
 /// vertices nearby (lfs is no more than lfs_i).
-std::optional<double> certificate(Refinement& r, TetId t, const Vec3& w, Level label) {
+template <class R>
+std::optional<double> certificate(R& r, TetId t, const Vec3& w, Level label) {
   const double inherited = inherited_lfs_bound(r, t, w);
   if (r.inputs().empty())
     return inherited <= figure_5_budget(label) ? std::optional(inherited) : std::nullopt;
@@ -81,9 +87,10 @@ std::optional<double> certificate(Refinement& r, TetId t, const Vec3& w, Level l
 }
 
 /// The search for one bad tetrahedron.
+template <class R>
 class CandidateSearch {
  public:
-  CandidateSearch(Refinement& r, TetId t) : r_(r), t_(t), sphere_(circumsphere(r.mesh().corners(t))) {
+  CandidateSearch(R& r, TetId t) : r_(r), t_(t), sphere_(circumsphere(r.mesh().corners(t))) {
     for (const VertexId v : r.mesh().tet(t).v)
       if (r.is_input(v)) inputs_[input_count_++] = r.mesh().point(v);
   }
@@ -91,7 +98,8 @@ class CandidateSearch {
   std::optional<Candidate> run(Level finest) {
     const double radius = std::sqrt(sphere_.radius_sq);
     const double to_input = input_count_ > 0 ? radius : std::numeric_limits<double>::infinity();
-    for (Level level = lattice::coarsest_within(kCoarsestRadius * radius); level >= finest; --level) {
+    const Level coarsest = std::min(r_.coarsest_level(), lattice::coarsest_within(kCoarsestRadius * radius));
+    for (Level level = coarsest; level >= finest; --level) {
       const double reach = std::min(radius, kSearchRadius * lattice::covering_radius(level));
       if (r_.inputs().no_region_is_empty(level, to_input + reach)) continue;
       if (auto candidate = of_level(level, reach)) return candidate;
@@ -127,7 +135,7 @@ class CandidateSearch {
                        [&](const Vec3& u) { return lattice::in_forbidden_region(w, level, u); });
   }
 
-  Refinement& r_;
+  R& r_;
   TetId t_;
   geom::Sphere sphere_;
   std::array<Vec3, 4> inputs_;  ///< those among t's corners
@@ -137,8 +145,21 @@ class CandidateSearch {
 
 }  // namespace
 
-std::optional<Candidate> coarsest_in_circumsphere(Refinement& r, TetId t, Level finest) {
+template <class R>
+std::optional<Candidate> coarsest_in_circumsphere(R& r, TetId t, Level finest) {
   return CandidateSearch(r, t).run(finest);
 }
+
+template bool conflicts(const Refinement&, TetId, const Vec3&);
+template bool conflicts(const PeriodicRefinement&, TetId, const Vec3&);
+template std::optional<Vec3> first_conflicting(const Refinement&, TetId, std::span<const Vec3>);
+template std::optional<Vec3> first_conflicting(const PeriodicRefinement&, TetId, std::span<const Vec3>);
+template double inherited_lfs_bound(const Refinement&, TetId, const Vec3&);
+template double inherited_lfs_bound(const PeriodicRefinement&, TetId, const Vec3&);
+template std::vector<Vec3> points_in_tangent_ball(const Refinement&, const geom::Sphere&, VertexId, Level);
+template std::vector<Vec3> points_in_tangent_ball(const PeriodicRefinement&, const geom::Sphere&, VertexId,
+                                                  Level);
+template std::optional<Candidate> coarsest_in_circumsphere(Refinement&, TetId, Level);
+template std::optional<Candidate> coarsest_in_circumsphere(PeriodicRefinement&, TetId, Level);
 
 }  // namespace unsliver::refine

@@ -1,12 +1,14 @@
 /// \file
-/// The lattice points w that may be inserted for a bad tetrahedron t.
+/// The lattice points w that may be inserted for a bad tetrahedron t. R is Refinement or PeriodicRefinement.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "refine/refinement.hpp"
+#include "lattice/level.hpp"
+#include "refine/circumsphere.hpp"
+#include "refine/labelled_mesh.hpp"
 
 namespace unsliver::refine {
 
@@ -27,14 +29,17 @@ inline bool exceeds(double circumradius_sq, double radius) {
 }
 
 /// min over t's corners v of lfs_bound(v) + |vw|: Lemma 1.
-double inherited_lfs_bound(const Refinement& refinement, TetId t, const Vec3& w);
+template <class R>
+double inherited_lfs_bound(const R& refinement, TetId t, const Vec3& w);
 
 /// Is w in conflict with t and none of its corners?
-bool conflicts(const Refinement& refinement, TetId t, const Vec3& w);
+template <class R>
+bool conflicts(const R& refinement, TetId t, const Vec3& w);
 
 /// The first of the points that conflicts with t. (Lemma 3 leaves out the tangent point, a corner of t;
 /// points on the circumsphere are in conflict or not by the perturbation.)
-std::optional<Vec3> first_conflicting(const Refinement& refinement, TetId t, std::span<const Vec3> points);
+template <class R>
+std::optional<Vec3> first_conflicting(const R& refinement, TetId t, std::span<const Vec3> points);
 
 /// The points of `level` in the closed ball, in lexicographic order.
 std::vector<Vec3> points_in_ball(Level level, const Vec3& center, double radius);
@@ -46,7 +51,8 @@ inline Vec3 tangent_center(const geom::Sphere& sphere, const Vec3& v, double rad
 
 /// The points of `level` in the ball of radius r(level) tangent at v inside t's circumsphere ("by Lemma 3
 /// there exists a point w in B \ {v}"). Requires t's circumradius > r(level).
-std::vector<Vec3> points_in_tangent_ball(const Refinement& refinement, const geom::Sphere& sphere, VertexId v,
+template <class R>
+std::vector<Vec3> points_in_tangent_ball(const R& refinement, const geom::Sphere& sphere, VertexId v,
                                          Level level);
 
 /// The points of `level` in the circumsphere (Lemma 6, Corollary 9).
@@ -57,6 +63,7 @@ std::vector<Vec3> points_in_circumsphere(const geom::Sphere& sphere, Level level
 /// that level's points the one nearest to the circumcentre.
 /// \note With input vertices (Figure 8) admissible means also that the level's forbidden region is empty; the
 /// label is then the coarsest that the point can carry.
-std::optional<Candidate> coarsest_in_circumsphere(Refinement& refinement, TetId t, Level finest);
+template <class R>
+std::optional<Candidate> coarsest_in_circumsphere(R& refinement, TetId t, Level finest);
 
 }  // namespace unsliver::refine

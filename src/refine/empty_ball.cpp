@@ -6,6 +6,8 @@
 
 #include "lattice/ball.hpp"
 #include "refine/guarantees.hpp"
+#include "refine/periodic_refinement.hpp"
+#include "refine/refinement.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::refine {
@@ -24,8 +26,9 @@ constexpr int kPollInterval = 1024;  // cells
 double square(double x) { return x * x; }
 Vec3 rounded(const Vec3& p) { return {std::nearbyint(p.x), std::nearbyint(p.y), std::nearbyint(p.z)}; }
 
-[[noreturn]] void refuse_tiny_size(const Refinement& r, const EmptyBall& ball) {
-  const Vec3 p = r.world().to_caller(ball.center);
+template <class R>
+[[noreturn]] void refuse_tiny_size(const R& r, const EmptyBall& ball) {
+  const Vec3 p = r.to_caller(ball.center);
   const double finest = lattice::covering_radius(r.world().finest_level()) * r.world().unit();
   Error error(
       ErrorCode::kLimit,
@@ -51,25 +54,28 @@ std::vector<Vec3> points_of_level(Level level, const Vec3& center, bool nearest_
 
 }  // namespace
 
-EmptyBallSearch::LatticePoint EmptyBallSearch::point_for(const EmptyBall& ball) const {
-  const bool literal = r_.strategy() == Strategy::kLiteral;
+template <class R>
+LatticePoint point_for(const R& r, const EmptyBall& ball) {
+  const bool literal = r.strategy() == Strategy::kLiteral;
   Level level = lattice::coarsest_within((1 - kSizeSlack) * ball.size * (1 + 1e-12));
   for (;; --level) {
     if (literal && lattice::is_bcc(level)) --level;
-    if (level < r_.world().finest_level()) refuse_tiny_size(r_, ball);
-    if (r_.inputs().empty() && !literal) return {lattice::nearest(level, ball.center), level};
+    if (level < r.world().finest_level()) refuse_tiny_size(r, ball);
+    if (r.inputs().empty() && !literal) return {lattice::nearest(level, ball.center), level};
     for (const Vec3& w : points_of_level(level, ball.center, !literal))
-      if (r_.inputs().region_is_empty(w, level)) return {w, level};
+      if (r.inputs().region_is_empty(w, level)) return {w, level};
   }
 }
 
-std::optional<EmptyBall> EmptyBallSearch::find_quickly(TetId t, double floor) {
+template <class R>
+std::optional<EmptyBall> EmptyBallSearch<R>::find_quickly(TetId t, double floor) {
   floor_ = floor;
   open_question_ = !circumsphere_covers(t);
   return open_question_ ? try_circumcenter() : std::nullopt;
 }
 
-std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
+template <class R>
+std::optional<EmptyBall> EmptyBallSearch<R>::find(TetId t, double floor) {
   if (auto ball = find_quickly(t, floor)) return ball;
   return open_question_ ? branch_and_bound(t) : std::nullopt;
 }
@@ -77,7 +83,8 @@ std::optional<EmptyBall> EmptyBallSearch::find(TetId t, double floor) {
 /// What the circumsphere alone says. For p in t at distance d from c, some corner is within sqrt(R^2 - d^2)
 /// of p: the mean of the squared distances to the corners, weighted by p's barycentric coordinates, is
 /// exactly R^2 - d^2. And s(p) >= s(c) - L d, so that R sqrt(1 + L^2) <= s(c) covers all of t.
-bool EmptyBallSearch::circumsphere_covers(TetId t) {
+template <class R>
+bool EmptyBallSearch<R>::circumsphere_covers(TetId t) {
   sphere_ = circumsphere(r_.mesh().corners(t));
   double least = std::max(floor_, r_.smallest_size());
   if (sphere_.radius_sq * (1 + 3 * kRounding) <= square(least)) return true;
@@ -96,7 +103,8 @@ bool EmptyBallSearch::circumsphere_covers(TetId t) {
 
 /// The ball about c itself is empty by the Delaunay property: no search is needed when c is in the domain and
 /// R too large.
-std::optional<EmptyBall> EmptyBallSearch::try_circumcenter() const {
+template <class R>
+std::optional<EmptyBall> EmptyBallSearch<R>::try_circumcenter() const {
   if (!center_size_) return std::nullopt;
   const double size = std::max(floor_, *center_size_);
   if (std::sqrt(sphere_.radius_sq) * (1 - kRounding) - 2 <= (1 - kSizeSlack) * size) return std::nullopt;
@@ -104,14 +112,16 @@ std::optional<EmptyBall> EmptyBallSearch::try_circumcenter() const {
   return EmptyBall{rounded(sphere_.center), size};
 }
 
-EmptyBallSearch::Hull EmptyBallSearch::hull_of(const Tet& corners) {
+template <class R>
+auto EmptyBallSearch<R>::hull_of(const Tet& corners) -> Hull {
   const Vec3 center = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
   double radius_sq = 0;
   for (const Vec3& corner : corners) radius_sq = std::max(radius_sq, dist_sq(corner, center));
   return {center, std::sqrt(radius_sq)};
 }
 
-std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
+template <class R>
+std::optional<EmptyBall> EmptyBallSearch<R>::branch_and_bound(TetId t) {
   corners_ = r_.mesh().corners(t);
   for (int i = 0; i < 4; ++i) clearances_[i] = r_.clearance(r_.mesh().tet(t).v[i]);
   vertices_.assign(corners_.begin(), corners_.end());
@@ -147,7 +157,8 @@ std::optional<EmptyBall> EmptyBallSearch::branch_and_bound(TetId t) {
 
 /// +1 if the cell lies certainly outside the domain, -1 if certainly inside, 0 if it may do neither. The
 /// balls about t's corners are known, and save most questions.
-int EmptyBallSearch::side_of(const Cell& cell, const Hull& hull) const {
+template <class R>
+int EmptyBallSearch<R>::side_of(const Cell& cell, const Hull& hull) const {
   if (cell.inside) return -1;
   const double radius = hull.radius * (1 + kRounding);
   for (int i = 0; i < 4; ++i)
@@ -159,7 +170,8 @@ int EmptyBallSearch::side_of(const Cell& cell, const Hull& hull) const {
 
 /// A cell that only touches the box from outside counts as beyond it: what it shares with the domain is part
 /// of other cells too, unless the domain is flat.
-bool EmptyBallSearch::beyond_domain_box(const Tet& cell, const Hull& hull) const {
+template <class R>
+bool EmptyBallSearch<R>::beyond_domain_box(const Tet& cell, const Hull& hull) const {
   const Box3& domain = r_.domain_box();
   if (domain.contains(hull.center)) return false;
   const Box3 box = bounding_box(cell);
@@ -171,22 +183,25 @@ bool EmptyBallSearch::beyond_domain_box(const Tet& cell, const Hull& hull) const
   return false;
 }
 
-double EmptyBallSearch::size_lower_bound(const Tet& cell, const Hull& hull,
-                                         std::optional<double> center_size) const {
+template <class R>
+double EmptyBallSearch<R>::size_lower_bound(const Tet& cell, const Hull& hull,
+                                            std::optional<double> center_size) const {
   const double least = std::max(floor_, r_.smallest_size());
   if (center_size && std::isfinite(r_.lipschitz()))
     return std::max(least, *center_size - r_.lipschitz() * hull.radius);
   return std::max(least, r_.size_lower_bound(bounding_box(cell)));
 }
 
-double EmptyBallSearch::nearest_listed_sq(const Vec3& q) const {
+template <class R>
+double EmptyBallSearch<R>::nearest_listed_sq(const Vec3& q) const {
   double nearest_sq = std::numeric_limits<double>::infinity();
   for (const Vec3& v : vertices_) nearest_sq = std::min(nearest_sq, dist_sq(v, q));
   return nearest_sq;
 }
 
 /// Does some vertex reach all of the cell? Balls are convex, so the corners tell.
-bool EmptyBallSearch::one_vertex_reaches(const Tet& cell, double size) const {
+template <class R>
+bool EmptyBallSearch<R>::one_vertex_reaches(const Tet& cell, double size) const {
   const double size_sq = square(size) * (1 - kRounding);
   for (const Vec3& v : vertices_)
     if (dist_sq(cell[0], v) <= size_sq && dist_sq(cell[1], v) <= size_sq && dist_sq(cell[2], v) <= size_sq &&
@@ -196,7 +211,8 @@ bool EmptyBallSearch::one_vertex_reaches(const Tet& cell, double size) const {
 }
 
 /// A cell that keeps away from c is covered too: see circumsphere_covers.
-bool EmptyBallSearch::covered(const Tet& cell, const Hull& hull, double size) const {
+template <class R>
+bool EmptyBallSearch<R>::covered(const Tet& cell, const Hull& hull, double size) const {
   const double from_center = std::max(0.0, dist(hull.center, sphere_.center) - hull.radius);
   if (sphere_.radius_sq * (1 + kRounding) - square(from_center) <= square(size) * (1 - kRounding))
     return true;
@@ -205,7 +221,8 @@ bool EmptyBallSearch::covered(const Tet& cell, const Hull& hull, double size) co
 
 /// Tries the cell's centre where it is in the domain; a tiny cell counts as if it were. `size` is s at the
 /// centre.
-std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hull, double size, TetId t) {
+template <class R>
+std::optional<EmptyBall> EmptyBallSearch<R>::probe(const Cell& cell, const Hull& hull, double size, TetId t) {
   const EmptyBall ball{rounded(hull.center), size};
   const double radius = hull.radius, listed_sq = nearest_listed_sq(ball.center);
   const double hurry = r_.strategy() == Strategy::kLiteral ? kLiteralHurry : kThriftyHurry;
@@ -215,15 +232,15 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hu
   // The size step beside input vertices counts on a ball that holds none of them.
   const bool nearly = listed_sq <= square((1 - kSizeSlack) * size);
   if (nearly && r_.inputs().empty()) return insert_rather_than_prove(ball, t);
-  const VertexId nearest = r_.nearest_vertex(ball.center, t);
-  vertices_.push_back(r_.mesh().point(nearest));
+  const auto nearest = r_.nearest_vertex(ball.center, t);
+  vertices_.push_back(nearest.place);
   const double nearest_sq = dist_sq(vertices_.back(), ball.center);
   std::optional<EmptyBall> found;
   if (nearest_sq > square((1 - kSizeSlack) * size))
     found = ball;
   else if (nearest_sq > square(share * size))
     found = insert_rather_than_prove(ball, t);
-  if (!found) r_.rely_on(nearest);
+  if (!found) r_.rely_on(nearest.v);
   return found;
 }
 
@@ -231,10 +248,12 @@ std::optional<EmptyBall> EmptyBallSearch::probe(const Cell& cell, const Hull& hu
 /// Where its centre is nearly uncovered the vertex is inserted at once: its certificate, c s(p) + |pw|, does
 /// not depend on emptiness (beside input vertices: only on a ball of radius 1 - hurry, see guarantees.hpp).
 /// If it is there already, it joins the list.
-std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBall& ball, TetId t) {
-  const Vec3 w = point_for(ball).w;
+template <class R>
+std::optional<EmptyBall> EmptyBallSearch<R>::insert_rather_than_prove(const EmptyBall& ball, TetId t) {
+  const Vec3 w = point_for(r_, ball).w;
   if (std::find(vertices_.begin(), vertices_.end(), w) != vertices_.end()) return std::nullopt;
-  const VertexId v = r_.mesh().corner_at(r_.mesh().locate(w, t), w);
+  Vec3 seen = w;
+  const VertexId v = r_.mesh().corner_at(r_.mesh().walk_to(seen, t), seen);
   if (v == kNoVertex) return ball;
   vertices_.push_back(w);
   r_.rely_on(v);
@@ -242,7 +261,8 @@ std::optional<EmptyBall> EmptyBallSearch::insert_rather_than_prove(const EmptyBa
 }
 
 /// Halves the longest edge. Below the resolution of the world nothing is left to find.
-void EmptyBallSearch::split(const Cell& cell) {
+template <class R>
+void EmptyBallSearch<R>::split(const Cell& cell) {
   int from = 0, to = 1;
   double longest_sq = 0;
   for (int i = 0; i < 4; ++i)
@@ -256,5 +276,10 @@ void EmptyBallSearch::split(const Cell& cell) {
   open_.push_back(cell);
   open_.back().corners[to] = middle;
 }
+
+template class EmptyBallSearch<Refinement>;
+template class EmptyBallSearch<PeriodicRefinement>;
+template LatticePoint point_for(const Refinement&, const EmptyBall&);
+template LatticePoint point_for(const PeriodicRefinement&, const EmptyBall&);
 
 }  // namespace unsliver::refine

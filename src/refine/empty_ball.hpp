@@ -5,13 +5,15 @@
 /// Looking at circumcentres alone would be wrong (they can lie outside the domain), so each tetrahedron is
 /// searched by branch and bound. Notation, for one tetrahedron t: c the circumcentre, R the circumradius, L
 /// the Lipschitz constant of s; a cell is a tetrahedron, part of t, that may hold such a p. Balls are convex:
-/// a ball that holds a cell's corners holds the cell.
+/// a ball that holds a cell's corners holds the cell. R is Refinement or PeriodicRefinement.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "refine/refinement.hpp"
+#include "geom/tetrahedron.hpp"
+#include "refine/circumsphere.hpp"
+#include "refine/labelled_mesh.hpp"
 
 namespace unsliver::refine {
 
@@ -21,9 +23,24 @@ struct EmptyBall {
   double size;  ///< s(p)
 };
 
+/// A point of a level's lattice.
+struct LatticePoint {
+  Vec3 w;
+  Level level;
+};
+
+/// The lattice point that a size insertion takes: within r(level) of p. Literal: the first point found of
+/// SC_j, j the largest with r(SC_j) <= s(p). Thrifty: the nearest point of the coarsest level, SC or BCC,
+/// that fits. Beside input vertices the figure's own step breaks its invariant: then the point's forbidden
+/// region must be empty, and the next finer level serves where there is none.
+/// \throws Error kLimit when no usable level is that fine.
+template <class R>
+LatticePoint point_for(const R& refinement, const EmptyBall& ball);
+
+template <class R>
 class EmptyBallSearch {
  public:
-  explicit EmptyBallSearch(Refinement& refinement) : r_(refinement) {}
+  explicit EmptyBallSearch(R& refinement) : r_(refinement) {}
 
   /// An empty ball of the sizing function max(s, floor) about a point of t. Sound: nothing is returned only
   /// if every p of t in the domain has a vertex within max(s(p), floor).
@@ -33,17 +50,6 @@ class EmptyBallSearch {
   /// for t may stay open.
   std::optional<EmptyBall> find_quickly(TetId t, double floor);
   bool open_question() const { return open_question_; }
-
-  /// The lattice point that a size insertion takes: within r(level) of p. Literal: the first point found of
-  /// SC_j, j the largest with r(SC_j) <= s(p). Thrifty: the nearest point of the coarsest level, SC or BCC,
-  /// that fits. Beside input vertices the figure's own step breaks its invariant: then the point's forbidden
-  /// region must be empty, and the next finer level serves where there is none.
-  /// \throws Error kLimit when no usable level is that fine.
-  struct LatticePoint {
-    Vec3 w;
-    Level level;
-  };
-  LatticePoint point_for(const EmptyBall& ball) const;
 
  private:
   struct Cell {
@@ -70,7 +76,7 @@ class EmptyBallSearch {
   void split(const Cell& cell);
   double nearest_listed_sq(const Vec3& q) const;
 
-  Refinement& r_;
+  R& r_;
   double floor_ = 0;
   bool open_question_ = false;         ///< t's circumball did not settle whether t is covered
   geom::Sphere sphere_;                ///< c and R^2

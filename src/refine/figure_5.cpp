@@ -7,13 +7,16 @@
 #include "refine/candidates.hpp"
 #include "refine/first_in_first_out.hpp"
 #include "refine/last_in_first_out.hpp"
+#include "refine/periodic_refinement.hpp"
+#include "refine/refinement.hpp"
 
 namespace unsliver::refine {
 
 namespace {
 
 /// Quality enforcement of Figure 5, Cases 1 and 2: the first point in lexicographic order.
-Vec3 figure_5_case(Refinement& r, TetId t, VertexId v, Level level) {
+template <class R>
+Vec3 figure_5_case(R& r, TetId t, VertexId v, Level level) {
   const geom::Sphere sphere = circumsphere(r.mesh().corners(t));
   const bool large = exceeds(sphere.radius_sq, lattice::covering_radius(level));
   if (!large && lattice::is_bcc(level)) broken_promise("Lemma 5");  // Case 1 cannot be bad then
@@ -25,7 +28,8 @@ Vec3 figure_5_case(Refinement& r, TetId t, VertexId v, Level level) {
   return *w;
 }
 
-void enforce_quality_literally(Refinement& r, TetId t) {
+template <class R>
+void enforce_quality_literally(R& r, TetId t) {
   const VertexId v = r.finest_corner(t);
   const Level level = r.label(v) + 1;
   const Vec3 w = figure_5_case(r, t, v, level);
@@ -33,7 +37,8 @@ void enforce_quality_literally(Refinement& r, TetId t) {
   ++r.stats().quality_insertions;
 }
 
-void enforce_quality_thriftily(Refinement& r, TetId t) {
+template <class R>
+void enforce_quality_thriftily(R& r, TetId t) {
   if (auto c = coarsest_in_circumsphere(r, t, r.label(r.finest_corner(t)) + 1)) {
     r.insert_in_conflict(c->w, c->label, c->lfs_bound, t);
     ++r.stats().quality_insertions;
@@ -44,17 +49,20 @@ void enforce_quality_thriftily(Refinement& r, TetId t) {
 
 }  // namespace
 
-void figure_5_literal(Refinement& r) {
+template <class R>
+void figure_5_literal(R& r) {
   first_in_first_out(r, [&r](TetId t) { enforce_quality_literally(r, t); });
 }
 
-void figure_5_thrifty(Refinement& r) {
+template <class R>
+void figure_5_thrifty(R& r) {
   r.enter_phase("size");
   enforce_size(r);
   figure_5_quality(r);
 }
 
-void figure_5_quality(Refinement& r) {
+template <class R>
+void figure_5_quality(R& r) {
   r.enter_phase("quality");
   last_in_first_out(r, [&r](TetId t, std::vector<TetId>& pending) {
     if (!r.mesh().is_finite(t) || !r.is_bad(t) || !r.meets_domain(t)) return;
@@ -62,5 +70,12 @@ void figure_5_quality(Refinement& r) {
     pending.insert(pending.end(), r.created().begin(), r.created().end());
   });
 }
+
+template void figure_5_literal(Refinement&);
+template void figure_5_literal(PeriodicRefinement&);
+template void figure_5_thrifty(Refinement&);
+template void figure_5_thrifty(PeriodicRefinement&);
+template void figure_5_quality(Refinement&);
+template void figure_5_quality(PeriodicRefinement&);
 
 }  // namespace unsliver::refine

@@ -9,6 +9,8 @@
 #include "refine/candidates.hpp"
 #include "refine/first_in_first_out.hpp"
 #include "refine/guarantees.hpp"
+#include "refine/periodic_refinement.hpp"
+#include "refine/refinement.hpp"
 
 namespace unsliver::refine {
 
@@ -23,8 +25,8 @@ constexpr Level sc(int k) { return 2 * k + 1; }
 
 /// One bad tetrahedron.
 struct Bad {
-  Bad(const Refinement& r, TetId tet)
-      : t(tet), sphere(circumsphere(r.mesh().corners(tet))), v(r.finest_corner(tet)) {
+  template <class R>
+  Bad(const R& r, TetId tet) : t(tet), sphere(circumsphere(r.mesh().corners(tet))), v(r.finest_corner(tet)) {
     for (const VertexId corner : r.mesh().tet(tet).v)
       if (r.is_input(corner)) inputs.push_back(r.mesh().point(corner));
   }
@@ -34,11 +36,15 @@ struct Bad {
   std::vector<Vec3> inputs;  ///< those among the corners
 };
 
-void count(Refinement& r, Subcase subcase) { ++r.stats().figure_8[static_cast<std::size_t>(subcase)]; }
+template <class R>
+void count(R& r, Subcase subcase) {
+  ++r.stats().figure_8[static_cast<std::size_t>(subcase)];
+}
 
 /// "By construction no input point is in the forbidden region" or it was looked up: the invariant, Table 2's
 /// distance and inequality (1).
-void insert(Refinement& r, const Bad& bad, const Vec3& w, Level label, double lfs_bound,
+template <class R>
+void insert(R& r, const Bad& bad, const Vec3& w, Level label, double lfs_bound,
             [[maybe_unused]] double table_2) {
   assert(r.inputs().region_is_empty(w, label));
   assert(lfs_bound <= figure_8_budget(label) * (1 + 1e-6));
@@ -49,7 +55,8 @@ void insert(Refinement& r, const Bad& bad, const Vec3& w, Level label, double lf
 
 /// "There exists a point w" among these in conflict with t: the literal strategy takes the first in
 /// lexicographic order. The thrifty one prefers a point with an empty region, in a coarse lattice, near c.
-Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3> points, const char* promise) {
+template <class R>
+Vec3 choose(const R& r, const Bad& bad, Level label, std::vector<Vec3> points, const char* promise) {
   if (r.strategy() != Strategy::kLiteral) {
     std::erase_if(points, [&](const Vec3& w) { return !conflicts(r, bad.t, w); });
     const auto score = [&](const Vec3& w) {
@@ -66,7 +73,8 @@ Vec3 choose(const Refinement& r, const Bad& bad, Level label, std::vector<Vec3> 
   return *first;
 }
 
-void case_3(Refinement& r, const Bad& bad) {
+template <class R>
+void case_3(R& r, const Bad& bad) {
   count(r, Subcase::k3);
   const double radius = std::sqrt(bad.sphere.radius_sq);
   int j = std::ilogb(radius / (kHalfSqrt3 + kRho));
@@ -80,14 +88,16 @@ void case_3(Refinement& r, const Bad& bad) {
 
 /// 2.1: the points of SC_k in a ball B' of radius r(SC_k) that lies in the ball B of that radius + `margin`,
 /// tangent at v, as far as possible from u1.
-std::vector<Vec3> points_of_2_1(const Refinement& r, const Bad& bad, const Vec3& u1, int k, double margin) {
+template <class R>
+std::vector<Vec3> points_of_2_1(const R& r, const Bad& bad, const Vec3& u1, int k, double margin) {
   const Vec3 center = tangent_center(bad.sphere, r.mesh().point(bad.v), covering_radius(sc(k)) + margin);
   const double distance = dist(center, u1);
   const Vec3 shift = distance > 0 ? margin / distance * (center - u1) : Vec3{margin, 0, 0};
   return points_in_ball(sc(k), center + shift, covering_radius(sc(k)));
 }
 
-void case_2(Refinement& r, const Bad& bad, const Vec3& u1) {
+template <class R>
+void case_2(R& r, const Bad& bad, const Vec3& u1) {
   const int k = lattice::region_exponent(r.label(bad.v));
   const double margin = power_of_two(k) * kRho / 2, radius = covering_radius(sc(k)) + margin;
   const bool large = exceeds(bad.sphere.radius_sq, radius);
@@ -106,7 +116,8 @@ void case_2(Refinement& r, const Bad& bad, const Vec3& u1) {
 }
 
 /// 1.1.1 and 1.2.1, or 1.2.3: a point of the next coarser lattice. None where 1.1.2 or 1.2.2 apply.
-std::optional<Vec3> point_of_case_1(Refinement& r, const Bad& bad, Level level) {
+template <class R>
+std::optional<Vec3> point_of_case_1(R& r, const Bad& bad, Level level) {
   const bool next_is_bcc = lattice::is_bcc(level);
   if (exceeds(bad.sphere.radius_sq, covering_radius(level))) {
     count(r, next_is_bcc ? Subcase::k111 : Subcase::k121);
@@ -121,7 +132,8 @@ std::optional<Vec3> point_of_case_1(Refinement& r, const Bad& bad, Level level) 
   return choose(r, bad, level, points_in_circumsphere(bad.sphere, level), "Lemma 6");
 }
 
-void case_1(Refinement& r, const Bad& bad) {
+template <class R>
+void case_1(R& r, const Bad& bad) {
   const Level level = r.label(bad.v) + 1;
   const auto w = point_of_case_1(r, bad, level);
   if (!w) return case_2(r, bad, bad.inputs.front());
@@ -131,15 +143,17 @@ void case_1(Refinement& r, const Bad& bad) {
 }
 
 /// Where both cases apply, the literal strategy chooses Case 1.
-void enforce_quality_literally(Refinement& r, TetId t) {
+template <class R>
+void enforce_quality_literally(R& r, TetId t) {
   const Bad bad(r, t);
   bad.v == kNoVertex ? case_3(r, bad) : case_1(r, bad);
 }
 
 /// The bad tetrahedra that wait for the thrifty strategy, by circumradius.
+template <class R>
 class BadTets {
  public:
-  explicit BadTets(Refinement& r) : r_(r) {}
+  explicit BadTets(R& r) : r_(r) {}
 
   void push_if_bad(std::span<const TetId> tets) {
     finite_.clear();
@@ -163,7 +177,7 @@ class BadTets {
   }
 
  private:
-  Refinement& r_;
+  R& r_;
   RadiusQueue queue_;
   std::vector<TetId> finite_;  ///< scratch, as the next two
   std::vector<Tet> corners_;
@@ -173,7 +187,8 @@ class BadTets {
 }  // namespace
 
 /// The certificate is all that termination needs, so the levels go down as far as the world's.
-void enforce_quality(Refinement& r, TetId t) {
+template <class R>
+void enforce_quality(R& r, TetId t) {
   const auto c = coarsest_in_circumsphere(r, t, r.world().finest_level());
   if (!c) return enforce_quality_literally(r, t);
   r.insert_in_conflict(c->w, c->label, c->lfs_bound, t);
@@ -181,17 +196,20 @@ void enforce_quality(Refinement& r, TetId t) {
   ++r.stats().quality_insertions;
 }
 
-void figure_8_literal(Refinement& r) {
+template <class R>
+void figure_8_literal(R& r) {
   first_in_first_out(r, [&r](TetId t) { enforce_quality_literally(r, t); });
 }
 
-void figure_8_thrifty(Refinement& r) {
+template <class R>
+void figure_8_thrifty(R& r) {
   r.enter_phase("size");
   enforce_size(r);
   figure_8_quality(r);
 }
 
-void figure_8_quality(Refinement& r) {
+template <class R>
+void figure_8_quality(R& r) {
   r.enter_phase("quality");
   BadTets bad(r);
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) bad.push_if_bad({&t, 1});
@@ -201,5 +219,15 @@ void figure_8_quality(Refinement& r) {
     bad.push_if_bad(r.created());
   }
 }
+
+template void figure_8_literal(Refinement&);
+template void figure_8_literal(PeriodicRefinement&);
+template void figure_8_thrifty(Refinement&);
+template void figure_8_thrifty(PeriodicRefinement&);
+template void figure_8_quality(Refinement&);
+template void figure_8_quality(PeriodicRefinement&);
+
+template void enforce_quality(Refinement&, TetId);
+template void enforce_quality(PeriodicRefinement&, TetId);
 
 }  // namespace unsliver::refine

@@ -11,7 +11,8 @@
 namespace unsliver::refine {
 
 /// What waited for long is in no cache: asks for it in good time.
-inline void prefetch(const Refinement& r, const std::deque<Queued>& queue) {
+template <class R>
+void prefetch(const R& r, const std::deque<Queued>& queue) {
   constexpr std::size_t kRecord = 32, kCorners = 16;
   if (queue.size() <= kRecord) return;
   r.mesh().prefetch(queue[kRecord].slot);
@@ -19,10 +20,10 @@ inline void prefetch(const Refinement& r, const std::deque<Queued>& queue) {
 }
 
 /// `enforce_quality(t)` inserts a vertex for the bad tetrahedron t.
-template <class EnforceQuality>
-void first_in_first_out(Refinement& r, EnforceQuality enforce_quality) {
+template <class R, class EnforceQuality>
+void first_in_first_out(R& r, EnforceQuality enforce_quality) {
   r.enter_phase("refine");
-  EmptyBallSearch search(r);
+  EmptyBallSearch<R> search(r);
   std::deque<Queued> queue;
   for (TetId t = 0; t < r.mesh().slot_count(); ++t) queue.push_back(queued(r, t));
   for (; !queue.empty(); queue.pop_front()) {
@@ -31,7 +32,7 @@ void first_in_first_out(Refinement& r, EnforceQuality enforce_quality) {
     if (!still_there(r, queue.front())) continue;
     if (const auto ball = search.find(t, 0)) {
       queue.push_back(queue.front());  // t may survive: w can lie outside its circumsphere
-      insert_for_size(r, search, *ball, t);
+      insert_for_size(r, *ball, t);
     } else if (r.is_bad(t) && r.meets_domain(t)) {
       enforce_quality(t);
     } else {

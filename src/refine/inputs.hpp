@@ -45,12 +45,17 @@ class Inputs {
 
   /// lfs_i(w) <= bound? lfs_i is the distance to the second nearest input vertex (Definition 1).
   bool lfs_at_most(const Vec3& w, double bound) const { return !empty() && tree_.has_within(w, bound, 2); }
+  /// How many of them, up to 2, lie within this distance of w.
+  int count_within(const Vec3& w, double distance) const {
+    return tree_.has_within(w, distance, 2) ? 2 : tree_.has_within(w, distance, 1) ? 1 : 0;
+  }
 
- private:
+  /// Of a label's forbidden region.
   static double half_side(lattice::Level label) {
     return lattice::half_side(lattice::region_exponent(label));
   }
 
+ private:
   lattice::InputSites sites_;
   std::vector<Vec3> places_;
   geom::PointTree tree_;

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "refine/refinement.hpp"
+#include "refine/labelled_mesh.hpp"
 
 namespace unsliver::refine {
 
 /// Calls work(t, pending) for every slot of the kernel, alive or not, and for what work() has put behind
 /// `pending`, the last first.
-template <class Work>
-void last_in_first_out(const Refinement& r, const Work& work) {
+template <class R, class Work>
+void last_in_first_out(const R& r, const Work& work) {
   std::vector<TetId> pending;
   const std::size_t slots = r.mesh().slot_count();
   for (TetId first = 0; first < slots; ++first) {

@@ -11,6 +11,7 @@
 #include "refine/figure_8.hpp"
 #include "refine/figure_8_octree.hpp"
 #include "refine/refinement.hpp"
+#include "refine/run_stats.hpp"
 #include "unsliver/error.hpp"
 #include "unsliver/refine.hpp"
 #include "unsliver/stream.hpp"
@@ -32,19 +33,6 @@ const char* to_string(MeshStatus status) {
 }
 
 namespace {
-
-void copy_counts(const refine::Refinement& refinement, MeshStats& stats) {
-  const auto& counts = refinement.mesh().counts();
-  stats.insphere_filter = counts.conflict.filter;
-  stats.insphere_small = counts.conflict.small;
-  stats.insphere_wide = counts.conflict.wide;
-  stats.insphere_tie = counts.conflict.tie;
-  stats.orient_filter = counts.orient.filter;
-  stats.orient_small = counts.orient.small;
-  stats.orient_wide = counts.orient.wide;
-  stats.total_vertices = refinement.mesh().vertex_count();
-  stats.total_tets = refinement.mesh().tet_count();
-}
 
 void run(refine::Refinement& r, Strategy strategy) {
   const bool literal = strategy == Strategy::kLiteral;
@@ -98,7 +86,7 @@ MeshResult result_of(refine::Refinement& refinement, MeshStatus status,
   result.mesh = refine::extract_superset(refinement, extraction);
   refinement.finish_phases();
   result.stats = refinement.stats();
-  copy_counts(refinement, result.stats);
+  refine::copy_counts(refinement.mesh(), result.stats);
   return result;
 }
 
@@ -196,13 +184,9 @@ MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, std::span<
   return result;
 }
 
-QualityLimits limits_of(const MeshOptions& options, bool with_input_vertices) {
-  return {options.min_dihedral_deg, options.max_dihedral_deg,
-          refine::max_radius_edge(options, with_input_vertices)};
-}
-
 void state_limits(const MeshOptions& options, bool with_input_vertices, MeshResult& result) {
-  if (result.status == MeshStatus::kDone) result.mesh.limits = limits_of(options, with_input_vertices);
+  if (result.status == MeshStatus::kDone)
+    result.mesh.limits = refine::limits_of(options, with_input_vertices);
 }
 
 /// Nothing to say where the lattice is as asked (`radius` <= `asked`), or the size varies (`radius` 0).
@@ -255,7 +239,7 @@ StreamResult stream_domain(const Domain& domain, const Sizing& sizing, MeshSink&
   result.tets = made.stats.needed_tets;
   MeshResult meshed = result_of(std::move(made), limits);
   result.status = meshed.status;
-  result.limits = limits_of(options, false);
+  result.limits = refine::limits_of(options, false);
   result.stats = std::move(meshed.stats);
   result.stats.total_vertices = result.vertices;
   result.stats.total_tets = result.tets;

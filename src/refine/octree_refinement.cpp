@@ -201,9 +201,9 @@ void OctreeRefinement::enforce_size(const EmptyBall& ball, TetId t) {
   const auto missing = nearest_missing(ball.center, (1 - kSizeSlack) * ball.size, home_of(t),
                                        [](const Vec3&) { return true; });
   if (missing) return lift(*missing, t);
-  if (const Vec3 w = search_.point_for(ball).w; is_missing(w) && bulk_.exponent_at(w)) return lift(w, t);
+  if (const Vec3 w = point_for(r_, ball).w; is_missing(w) && bulk_.exponent_at(w)) return lift(w, t);
   const VertexId home = home_of(t);
-  insert_for_size(r_, search_, ball, t);  // throws where the point is there already
+  insert_for_size(r_, ball, t);  // throws where the point is there already
   note_guest(home);
 }
 

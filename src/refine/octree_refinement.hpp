@@ -73,7 +73,7 @@ class OctreeRefinement {
   Refinement& r_;
   octree::Forest& forest_;
   BulkPoints bulk_;
-  EmptyBallSearch search_;
+  EmptyBallSearch<Refinement> search_;
   Surroundings surroundings_;
   PointLookup known_;                    ///< of the forest's vertices: kRemoved, or the kernel's vertex
   std::vector<Note> notes_;              ///< by vertex of the kernel

@@ -4,9 +4,10 @@
 
 #include <array>
 #include <bit>
+#include <optional>
 #include <vector>
 
-#include "refine/refinement.hpp"
+#include "refine/labelled_mesh.hpp"
 
 namespace unsliver::refine {
 
@@ -17,9 +18,13 @@ struct Queued {
   VertexId last_corner;
 };
 
-inline Queued queued(const Refinement& r, TetId t) { return {t, r.mesh().tet(t).v[3]}; }
+template <class R>
+Queued queued(const R& r, TetId t) {
+  return {t, r.mesh().tet(t).v[3]};
+}
 
-inline bool still_there(const Refinement& r, const Queued& entry) {
+template <class R>
+bool still_there(const R& r, const Queued& entry) {
   return r.mesh().is_finite(entry.slot) && r.mesh().tet(entry.slot).v[3] == entry.last_corner;
 }
 

@@ -8,30 +8,21 @@
 #include "octree/fit.hpp"
 #include "refine/criteria.hpp"
 #include "refine/guarantees.hpp"
+#include "refine/rounded.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::refine {
 
 namespace {
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
 // The cube's corners are (+-2^46)^3 while the domain stays within 2^44 of the origin: a ball that meets the
 // domain and holds no corner reaches no farther than 0.92 * 2^48, so every candidate stays inside the
 // kernel's range of 2^48.
 constexpr double kCubeCorner = 0x1p46;
-constexpr std::uint64_t kCheckInterval = 64;
 
 // A lower bound of s below this share of the domain comes from places outside the domain, where s may be
 // anything.
 constexpr double kUnknownSize = 1e-12;
-
-float rounded_down(double x) {
-  const float f = static_cast<float>(x);
-  return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
-}
-float rounded_up(double x) { return -rounded_down(-x); }
-float rounded_towards_zero(double x) { return x < 0 ? -rounded_down(-x) : rounded_down(x); }
 
 double fit_radius(const Domain& domain, const Sizing& sizing, Strategy strategy) {
   if (strategy == Strategy::kLiteral) return 0;
@@ -63,15 +54,13 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
 
 Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                        lattice::InputSites sites, const MeshOptions& options, const Control& control)
-    : domain_(domain),
+    : LabelledMesh(delaunay::Triangulation(), quality_bounds(options, !inputs.empty()), options, control),
+      domain_(domain),
       sizing_(sizing),
-      options_(options),
-      control_(control),
       world_(lattice::World::fit(box_of(domain, inputs), fit_radius(domain, sizing, options.strategy),
                                  sites.max_step())),
       caller_bounds_(domain.bounds()),
       lipschitz_(sizing.lipschitz()),
-      bounds_(quality_bounds(options, !inputs.empty())),
       given_(inputs),
       inputs_(make_inputs(std::move(sites), inputs, world_)) {
   domain_box_ = {world_.to_world_real(caller_bounds_.lo), world_.to_world_real(caller_bounds_.hi)};
@@ -79,8 +68,6 @@ Refinement::Refinement(const Domain& domain, const Sizing& sizing, std::span<con
   const double finest = lattice::covering_radius(world_.finest_level());  // sizes below it are refused
   size_floor_ = std::clamp(sizing.lower_bound(caller_bounds_) / world_.unit(), finest, size_cap_);
   if (lipschitz_ == 0) constant_size_ = size_floor_;
-  last_report_ = phase_start_ = std::chrono::steady_clock::now();
-  add_notes(0, 0);  // the vertex at infinity
   start_from_cube();
   insert_inputs();
 }
@@ -128,18 +115,7 @@ bool Refinement::has_outside_input(TetId t) const {
 
 bool Refinement::has_wanted(TetId t) const {
   return any_wanted_ && std::any_of(mesh_.tet(t).v, mesh_.tet(t).v + 4,
-                                    [this](VertexId v) { return (notes_[v].proofs & kWanted) != 0; });
-}
-
-void Refinement::add_notes(Level label, double lfs_bound) {
-  notes_.push_back({rounded_up(lfs_bound), kUnknown, static_cast<std::uint8_t>(label), 0});
-}
-
-VertexId Refinement::finest_corner(TetId t) const {
-  VertexId finest = kNoVertex;
-  for (const VertexId v : mesh_.tet(t).v)
-    if (!is_input(v) && (finest == kNoVertex || label(v) < label(finest))) finest = v;
-  return finest;
+                                    [this](VertexId v) { return (notes(v).proofs & kWanted) != 0; });
 }
 
 Tet Refinement::to_caller(const Tet& t) const {
@@ -147,7 +123,7 @@ Tet Refinement::to_caller(const Tet& t) const {
 }
 
 double Refinement::clearance(VertexId v) {
-  float& known = notes_[v].clearance;
+  float& known = notes(v).clearance;
   if (std::isnan(known))
     known = rounded_towards_zero(domain_.clearance(world_.to_caller(mesh_.point(v))) / world_.unit() *
                                  (1 - 1e-12));
@@ -201,73 +177,6 @@ std::optional<double> Refinement::varying_size_if_defined(const Vec3& p) const {
   } catch (const Error&) {
     return std::nullopt;  // outside the domain a size may be anything: where it matters size_at reports it
   }
-}
-
-VertexId Refinement::nearest_vertex(const Vec3& p, TetId t) {
-  t = mesh_.locate(p, t);
-  VertexId nearest = mesh_.corner_at(t, p);
-  if (nearest != kNoVertex) return nearest;
-  mesh_.carve(p, t);
-  for (TetId member : mesh_.cavity())
-    for (VertexId v : mesh_.tet(member).v)
-      if (v != delaunay::kInfinite &&
-          (nearest == kNoVertex || dist_sq(p, mesh_.point(v)) < dist_sq(p, mesh_.point(nearest))))
-        nearest = v;
-  mesh_.abandon();
-  return nearest;
-}
-
-void Refinement::insert(const Vec3& w, Level label, double lfs_bound, TetId near) {
-  if (!mesh_.in_conflict(near, w)) near = mesh_.locate(w, near);
-  if (mesh_.corner_at(near, w) != kNoVertex)
-    throw Error(ErrorCode::kInternal,
-                "a vertex was to be inserted twice: this is a bug in unsliver, please report it");
-  insert_in_conflict(w, label, lfs_bound, near);
-}
-
-void Refinement::insert_in_conflict(const Vec3& w, Level label, double lfs_bound, TetId t) {
-  assert(mesh_.in_conflict(t, w) && mesh_.corner_at(t, w) == kNoVertex);
-  if (insertions_++ % kCheckInterval == 0) poll();
-  mesh_.insert_in_conflict(w, t);
-  add_notes(label, lfs_bound);
-}
-
-std::uint64_t Refinement::bytes() const { return mesh_.bytes() + notes_.bytes(); }
-
-void Refinement::poll() {
-  stats_.peak_bytes = std::max(stats_.peak_bytes, bytes());
-  if (options_.max_tets != 0 && mesh_.tet_count() > options_.max_tets) throw Stopped{MeshStatus::kTetCap};
-  if (options_.max_memory_bytes != 0 && stats_.peak_bytes > options_.max_memory_bytes)
-    throw Stopped{MeshStatus::kMemoryCap};
-  if (control_.cancelled && control_.cancelled()) throw Stopped{MeshStatus::kCancelled};
-  report_progress();
-}
-
-void Refinement::report_progress() {
-  if (!control_.on_progress) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_report_ < std::chrono::milliseconds(100)) return;
-  last_report_ = now;
-  Progress progress;
-  progress.phase = phase_ != nullptr ? phase_ : "start";
-  progress.vertices = mesh_.vertex_count();
-  progress.tets = mesh_.tet_count();
-  progress.done = mesh_.tet_count();
-  control_.on_progress(progress);
-}
-
-void Refinement::enter_phase(const char* name) {
-  if (phase_ != nullptr && std::string_view(phase_) == name) return;
-  finish_phases();
-  phase_ = name;
-  phase_start_ = std::chrono::steady_clock::now();
-}
-
-void Refinement::finish_phases() {
-  if (phase_ == nullptr) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - phase_start_;
-  stats_.phases.push_back({phase_, elapsed.count()});
-  phase_ = nullptr;
 }
 
 }  // namespace unsliver::refine

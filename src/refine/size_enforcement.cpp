@@ -4,11 +4,14 @@
 
 #include "refine/guarantees.hpp"
 #include "refine/last_in_first_out.hpp"
+#include "refine/periodic_refinement.hpp"
+#include "refine/refinement.hpp"
 
 namespace unsliver::refine {
 
-void insert_for_size(Refinement& r, const EmptyBallSearch& search, const EmptyBall& ball, TetId near) {
-  const auto [w, level] = search.point_for(ball);
+template <class R>
+void insert_for_size(R& r, const EmptyBall& ball, TetId near) {
+  const auto [w, level] = point_for(r, ball);
   const bool literal = r.strategy() == Strategy::kLiteral;
   const double c = grading_guarantee(r.strategy(), !r.inputs().empty()).c;
   const Level label = literal ? level : r.inputs().coarsest_label(w, level);
@@ -22,9 +25,10 @@ namespace {
 
 /// The rounds of thrifty size enforcement. What is known of a tetrahedron is kept by slot, until an insertion
 /// fills the slot anew: a ball that holds a vertex keeps it.
+template <class R>
 class Sweeps {
  public:
-  Sweeps(Refinement& r, const InsertForSize& insert) : r_(r), insert_(insert), search_(r) {}
+  Sweeps(R& r, const InsertForSize& insert) : r_(r), insert_(insert), search_(r) {}
 
   /// One round, for the sizing function max(s, floor). The long searches come second, when only the
   /// tetrahedra that will stay are left to search.
@@ -44,7 +48,7 @@ class Sweeps {
     last_in_first_out(r_, [&](TetId t, std::vector<TetId>& pending) {
       if (known_[t] > least || !r_.mesh().is_finite(t)) return;
       if (const auto ball = find(t)) {
-        const std::span<const TetId> made = insert_(search_, *ball, t);
+        const std::span<const TetId> made = insert_(*ball, t);
         forget(made);
         pending.push_back(t);  // it may survive: w can lie outside its circumsphere
         pending.insert(pending.end(), made.begin(), made.end());
@@ -59,27 +63,36 @@ class Sweeps {
     for (const TetId t : made) known_[t] = Known::kNothing;
   }
 
-  Refinement& r_;
+  R& r_;
   const InsertForSize& insert_;
-  EmptyBallSearch search_;
+  EmptyBallSearch<R> search_;
   PodVector<Known> known_;
 };
 
 }  // namespace
 
-void enforce_size(Refinement& r, const InsertForSize& insert) {
-  Sweeps sweeps(r, insert);
+template <class R>
+void enforce_size(R& r, const InsertForSize& insert) {
+  Sweeps<R> sweeps(r, insert);
   double floor = r.smallest_size();
   while (floor < r.largest_size()) floor *= 2;
   for (; floor > r.smallest_size(); floor /= 2) sweeps.round(floor);
   sweeps.round(0);
 }
 
-void enforce_size(Refinement& r) {
-  enforce_size(r, [&r](const EmptyBallSearch& search, const EmptyBall& ball, TetId near) {
-    insert_for_size(r, search, ball, near);
+template <class R>
+void enforce_size(R& r) {
+  enforce_size(r, [&r](const EmptyBall& ball, TetId near) {
+    insert_for_size(r, ball, near);
     return r.created();
   });
 }
+
+template void insert_for_size(Refinement&, const EmptyBall&, TetId);
+template void insert_for_size(PeriodicRefinement&, const EmptyBall&, TetId);
+template void enforce_size(Refinement&, const InsertForSize&);
+template void enforce_size(PeriodicRefinement&, const InsertForSize&);
+template void enforce_size(Refinement&);
+template void enforce_size(PeriodicRefinement&);
 
 }  // namespace unsliver::refine

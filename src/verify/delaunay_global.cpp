@@ -5,9 +5,7 @@
 #include "verify/judge.hpp"
 
 namespace unsliver::verifier {
-namespace {
 
-/// A box that holds the circumsphere: slack for rounding, everything where the centre is badly conditioned.
 Box3 search_box(const Tet& t) {
   const Vec3 a = t[1] - t[0], b = t[2] - t[0], c = t[3] - t[0];
   const double det = dot(a, cross(b, c));
@@ -24,8 +22,6 @@ Box3 search_box(const Tet& t) {
   const Vec3 center = t[0] + radius;
   return {center - Vec3{r, r, r}, center + Vec3{r, r, r}};
 }
-
-}  // namespace
 
 void check_delaunay_globally(const Context& c, const Sites& sites, const KdTree& vertices) {
   Judge judge(sites, {});

@@ -5,6 +5,7 @@
 #include "verify/delaunay_global.hpp"
 #include "verify/facets.hpp"
 #include "verify/lattice_check.hpp"
+#include "verify/periodic_check.hpp"
 #include "verify/rounding_check.hpp"
 #include "verify/sampling_checks.hpp"
 #include "verify/sites.hpp"
@@ -42,19 +43,41 @@ std::vector<VertexId> check_facets(const Context& c) {
   return c.options.delaunay ? std::move(facets.beyond) : std::vector<VertexId>{};
 }
 
-/// The lattice check, and where the judge sees the vertices from then on.
+void find_unframed(const Context& c) {
+  c.reporter.find("periodic", {}, [] {
+    return std::string("a periodic mesh needs a frame that its points fit: whether it closes is not decided");
+  });
+}
+
+/// The lattice check, and where the judge sees the vertices from then on. Of periodic meshes whether they
+/// close.
 Sites check_sites(const Context& c) {
+  const bool is_periodic = c.mesh.periodicity.has_value();
+  if (is_periodic && !c.mesh.frame) find_unframed(c);
   if (!c.mesh.frame) return Sites(c.mesh.points);
   FramePlaces places = place_on_frame(c.mesh);
   if (!c.mesh.levels.empty()) check_lattice(c, places);
-  if (!judged_on_frame(c.mesh, places)) return Sites(c.mesh.points);
+  const bool is_framed = judged_on_frame(c.mesh, places);
+  if (is_periodic && !is_framed) find_unframed(c);
+  if (!is_framed) return Sites(c.mesh.points);
   check_rounding(c, places);
+  if (is_periodic && align_copies(c, places)) check_torus(c, places.q);
   return Sites(std::move(places.q), c.mesh.frame->unit);
+}
+
+/// The Delaunay property is check_torus's.
+void check_with_tree_of_copies(const Context& c, const std::vector<VertexId>& used) {
+  if (c.reporter.count("periodic") > 0) return;
+  const CopiesAround around = copies_around(c.mesh, used);
+  const KdTree vertices(around.points, around.ids);
+  if (asks_size(c.options)) check_size(c, vertices, used);
+  if (c.options.lfs_lower_bound) check_grading(c, vertices, around.homes);
 }
 
 void check_with_tree(const Context& c, const Sites& sites, const std::vector<VertexId>& used) {
   const VerifyOptions& o = c.options;
   if (!asks_size(o) && !o.lfs_lower_bound && !o.delaunay_global) return;
+  if (c.mesh.periodicity) return check_with_tree_of_copies(c, used);
   const KdTree vertices(c.mesh.points, used);
   if (asks_size(o)) check_size(c, vertices, used);
   if (o.lfs_lower_bound) check_grading(c, vertices, used);

@@ -12,6 +12,11 @@ using test::Random;
 
 constexpr double kCell = 0x1p14;
 
+/// Of points that are known to be dense enough.
+PeriodicTriangulation start(const Torus& torus, const std::vector<Vec3>& points) {
+  return *periodic_start(torus, points, [](const Tet&) { return true; });
+}
+
 /// All points of the simple cubic lattice, `steps` along the shortest side.
 std::vector<Vec3> scaffold(const Vec3& period, double step) {
   std::vector<Vec3> points;
@@ -81,7 +86,7 @@ const Box kBoxes[] = {{{kCell, kCell, kCell}, kCell / 4},
 TEST(Periodic, FoldsALatticeIntoAClosedComplex) {
   for (const Box& box : kBoxes) {
     const std::vector<Vec3> points = scaffold(box.period, box.step);
-    const PeriodicTriangulation mesh = periodic_start(Torus(box.period), points);
+    const PeriodicTriangulation mesh = start(Torus(box.period), points);
     EXPECT_NO_THROW(mesh.check());
     EXPECT_EQ(mesh.vertex_count(), points.size());
     EXPECT_EQ(six_volumes(mesh), 6 * box.period.x * box.period.y * box.period.z);
@@ -93,7 +98,7 @@ TEST(Periodic, InsertionsKeepItsInvariants) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
       Random random(seed);
-      PeriodicTriangulation mesh = periodic_start(Torus(box.period), scaffold(box.period, box.step));
+      PeriodicTriangulation mesh = start(Torus(box.period), scaffold(box.period, box.step));
       for (int i = 0; i < 300; ++i) {
         Vec3 p = random_in(box.period, random);
         const VertexId v = mesh.insert(p);
@@ -110,7 +115,7 @@ TEST(Periodic, IsAFunctionOfThePointSetAlone) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Vec3 period = kBoxes[seed % 3].period;
-    PeriodicTriangulation mesh = periodic_start(Torus(period), scaffold(period, kBoxes[seed % 3].step));
+    PeriodicTriangulation mesh = start(Torus(period), scaffold(period, kBoxes[seed % 3].step));
     for (int i = 0; i < 200; ++i) {  // lattice points, so that there are ties
       Vec3 p = random_in(period, random);
       const double grid = seed % 2 ? kCell / 16 : kCell / 8;
@@ -119,7 +124,7 @@ TEST(Periodic, IsAFunctionOfThePointSetAlone) {
     }
     std::vector<Vec3> points = homes(mesh);
     test::shuffle(points, random);
-    EXPECT_EQ(all_tets(mesh), all_tets(periodic_start(Torus(period), points)));
+    EXPECT_EQ(all_tets(mesh), all_tets(start(Torus(period), points)));
   }
 }
 
@@ -133,7 +138,7 @@ TEST(Periodic, ShiftedPointsGiveTheShiftedTetrahedra) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   for (const Vec3& p : points) shifted.push_back(torus.home_of(p + shift));
   std::set<Named> moved_back;
-  const PeriodicTriangulation mesh = periodic_start(torus, shifted);
+  const PeriodicTriangulation mesh = start(torus, shifted);
   for (Named tet : all_tets(mesh)) {
     std::array<std::pair<Vec3, Vec3>, 4> corners;
     for (std::size_t i = 0; i < 4; ++i)
@@ -147,13 +152,22 @@ TEST(Periodic, ShiftedPointsGiveTheShiftedTetrahedra) {
     }
     moved_back.insert(tet);
   }
-  EXPECT_EQ(moved_back, all_tets(periodic_start(torus, points)));
+  EXPECT_EQ(moved_back, all_tets(start(torus, points)));
+}
+
+TEST(Periodic, RefusesPointsThatLeaveLargeBallsEmpty) {
+  const Torus torus(kBoxes[0].period);
+  const auto any = [](const Tet&) { return true; };
+  const auto none = [](const Tet&) { return false; };
+  EXPECT_FALSE(periodic_start(torus, scaffold(kBoxes[0].period, kCell), any));
+  EXPECT_FALSE(periodic_start(torus, scaffold(kBoxes[0].period, kCell / 4), none));
+  EXPECT_TRUE(periodic_start(torus, scaffold(kBoxes[0].period, kCell / 4), any));
 }
 
 /// The conflict region of a point at the seam, left as it was.
 TEST(Periodic, AbandonedCavitiesLeaveNoTrace) {
   const Vec3 period = kBoxes[0].period;
-  PeriodicTriangulation mesh = periodic_start(Torus(period), scaffold(period, kBoxes[0].step));
+  PeriodicTriangulation mesh = start(Torus(period), scaffold(period, kBoxes[0].step));
   const std::set<Named> before = all_tets(mesh);
   Vec3 p{kCell - 1, 1, kCell - 1};
   const TetId t = mesh.walk_to(p);

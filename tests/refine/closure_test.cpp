@@ -5,6 +5,7 @@
 
 #include "lattice/parents.hpp"
 #include "refine/guarantees.hpp"
+#include "refine/refinement.hpp"
 #include "unsliver/error.hpp"
 
 namespace unsliver::refine {
