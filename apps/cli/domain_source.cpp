@@ -13,6 +13,7 @@
 #include "unsliver/error.hpp"
 #include "unsliver/hull.hpp"
 #include "unsliver/io.hpp"
+#include "unsliver/periodic.hpp"
 
 namespace unsliver::cli {
 namespace {
@@ -79,12 +80,11 @@ DomainSource from_ball(const std::string& text) {
   return {.kind = "ball", .label = "ball " + text, .domain = make_ball({n[0], n[1], n[2]}, n[3])};
 }
 
-DomainSource from_box(const std::string& text, bool conform) {
-  const Box3 box = parse_box(text, "--box");
-  DomainSource source{.kind = "box", .label = "box " + text, .domain = make_box(box)};
-  if (!conform) return source;
-  source.label += ", filled exactly";
-  source.exact_box = box;
+DomainSource from_box(const DomainRequest& request) {
+  const Box3 box = parse_box(*request.box, "--box");
+  DomainSource source{.kind = "box", .label = "box " + *request.box, .domain = make_box(box)};
+  if (request.periodic) source.label += ", periodic", source.periodic_cell = box;
+  if (request.conform) source.label += ", filled exactly", source.exact_box = box;
   return source;
 }
 
@@ -157,7 +157,7 @@ DomainSource named_domain(const DomainRequest& request) {
   if (request.surface_file) return from_file(*request.surface_file);
   if (request.mesh_file) return from_tets(*request.mesh_file);
   if (request.ball) return from_ball(*request.ball);
-  if (request.box) return from_box(*request.box, request.conform);
+  if (request.box) return from_box(request);
   return from_formula(*request.implicit, parse_box(*request.bounds, "--bounds"));
 }
 
@@ -193,6 +193,15 @@ void check_conform(const DomainRequest& request) {
         "--conform takes no --points: a box can be filled exactly with vertices of the lattice alone");
 }
 
+void check_periodic(const DomainRequest& request) {
+  if (!request.periodic) return;
+  if (!request.box)
+    throw Error(ErrorCode::kBadOption, "--periodic meshes a cell: it needs --box \"x0 y0 z0 x1 y1 z1\"");
+  if (request.conform)
+    throw Error(ErrorCode::kBadOption,
+                "--periodic and --conform contradict each other: a periodic mesh has no flat faces");
+}
+
 }  // namespace
 
 void check_domain_request(const DomainRequest& request) {
@@ -209,6 +218,7 @@ void check_domain_request(const DomainRequest& request) {
   if (request.bounds && !request.implicit)
     throw Error(ErrorCode::kBadOption, "--bounds has no effect without --implicit");
   check_conform(request);
+  check_periodic(request);
 }
 
 std::vector<std::string> all_notes(const DomainSource& source) {
@@ -222,6 +232,7 @@ DomainSource make_domain(const DomainRequest& request) {
   if (!request.points_file) return named_domain(request);
   InputVertices inputs = read_input_vertices(*request.points_file);
   DomainSource source = domain_around(inputs, request);
+  if (source.periodic_cell) inputs.set.points = points_in_cell(*source.periodic_cell, inputs.set.points);
   source.inputs = std::move(inputs);
   return source;
 }

@@ -19,6 +19,7 @@ struct DomainRequest {
   std::optional<std::string> points_file;  ///< alone: their bounding box is meshed
   bool hull = false;                       ///< with points alone: not the box, the convex hull
   bool conform = false;                    ///< with box, and only there: fill it exactly
+  bool periodic = false;                   ///< with box, and only there: its opposite faces are one
 
   bool has_inputs() const { return mesh_file || points_file; }
 };
@@ -30,6 +31,7 @@ struct DomainSource {
   std::optional<TriangleMesh> surface = std::nullopt;   ///< the boundary, where it is triangles
   std::optional<InputVertices> inputs = std::nullopt;   ///< what must be vertices of the mesh
   std::optional<Box3> exact_box = std::nullopt;         ///< to be filled exactly
+  std::optional<Box3> periodic_cell = std::nullopt;     ///< a torus; inputs are in it
   std::optional<QualitySummary> before = std::nullopt;  ///< of the tetrahedra given
   std::vector<std::string> notes = {};                  ///< on how the domain was made of the input
 };

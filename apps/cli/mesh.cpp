@@ -24,6 +24,7 @@ Examples:
   unsliver mesh --implicit "x^2 + y^2 + z^2 - 1 - 0.2 * sin(9 * x)" \
                 --bounds "-2 -2 -2 2 2 2" -o blob.vtu --max-tets 20M --keep-partial
   unsliver mesh --points atoms.pqr -o atoms.vtu --min-angle 20
+  unsliver mesh --box "0 0 0 1 1 1" --periodic --points atoms.xyz -o cell.msh
 The mesh is a superset of the domain: all tetrahedra that meet it, none of them bad.)text";
 
 }  // namespace

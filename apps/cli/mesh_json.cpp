@@ -15,6 +15,7 @@ Json input_json(const DomainSource& source) {
   json["domain"] = source.domain->describe();
   json["bounds"] = to_json(source.domain->bounds());
   json["conform"] = source.exact_box.has_value();
+  json["periodic"] = source.periodic_cell.has_value();
   json["notes"] = all_notes(source);
   return json;
 }

@@ -20,6 +20,12 @@ void add_domain_options(CLI::App& parser, DomainRequest& domain) {
                 "(x low, x high, y low, ...). Its sides must be whole multiples\n"
                 "of one length m * 2^e, m < 128. Strategy octree, no points")
       ->group("What to mesh (one)");
+  parser
+      .add_flag("--periodic", domain.periodic,
+                "with --box: its opposite faces are one, there is no boundary.\n"
+                "The same boxes as with --conform; points may lie anywhere and\n"
+                "are moved into the cell, with strategy thrifty or literal")
+      ->group("What to mesh (one)");
   parser.add_option("--ball", domain.ball, "\"cx cy cz r\": mesh a ball")->group("What to mesh (one)");
   parser.add_option("--implicit", domain.implicit, "formula f(x, y, z): mesh where f <= 0")
       ->group("What to mesh (one)");
@@ -176,6 +182,17 @@ void check_conforming_strategy(const MeshCommandOptions& options) {
                     options.strategy));
 }
 
+void check_periodic_run(const MeshCommandOptions& options) {
+  if (!options.domain.periodic) {
+    if (!options.topology.empty())
+      throw Error(ErrorCode::kBadOption, "--topology has no effect without --periodic");
+    return;
+  }
+  if (options.strategy == "octree" && options.domain.has_inputs())
+    throw Error(ErrorCode::kBadOption,
+                "--strategy octree knows no points in periodic cells: use thrifty or literal");
+}
+
 /// Pieces are made, and the judge for them knows, what octrees make around a domain, and no more.
 void check_stream(const MeshCommandOptions& options) {
   const auto refuse = [](const std::string& what) {
@@ -185,6 +202,7 @@ void check_stream(const MeshCommandOptions& options) {
   if (!options.write.format.empty() || options.write.ascii) refuse("--format and --ascii have no effect");
   if (options.domain.has_inputs()) refuse("it goes without points");
   if (options.domain.conform) refuse("it goes without --conform");
+  if (options.domain.periodic) refuse("it goes without --periodic");
   if (options.keep_partial) refuse("--keep-partial has no effect, there is no mesh until its end");
   if (options.strategy != "auto" && options.strategy != "octree")
     refuse("it goes with --strategy octree, not " + options.strategy);
@@ -231,6 +249,9 @@ void check_write_options(const std::string& output, const io::WriteOptions& writ
 void add_mesh_options(CLI::App& parser, MeshCommandOptions& options) {
   add_domain_options(parser, options.domain);
   add_shared_options(parser, options);
+  parser.add_option("--topology", options.topology,
+                    "with --periodic: a JSON file of the vertices, the tetrahedra by\n"
+                    "vertices and periods, and which points are copies of which");
   parser.add_option("--stream", options.stream,
                     "in place of --output, for meshes larger than memory: a new\n"
                     "folder of plain arrays. Strategy octree, no points, no --conform");
@@ -246,7 +267,7 @@ void check_mesh_files(const MeshCommandOptions& options) {
   for (const auto* path : {&options.domain.surface_file, &options.domain.mesh_file,
                            &options.domain.points_file, &options.size.size_mesh})
     read.push_back(path->value_or(""));
-  check_distinct({options.output, options.json}, read);
+  check_distinct({options.output, options.json, options.topology}, read);
   check_report_file(options.json);
 }
 
@@ -256,6 +277,7 @@ void check_mesh_options(MeshCommandOptions& options) {
   check_angles(options.mesh);
   options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge, options.domain.has_inputs());
   check_conforming_strategy(options);
+  check_periodic_run(options);
   options.mesh.strategy = strategy_of(options);
   options.mesh.threads = options.threads.value_or(0);
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");

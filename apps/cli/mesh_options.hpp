@@ -24,7 +24,8 @@ struct MeshCommandOptions {
   std::string output;
   std::string stream;  ///< the folder that takes its place; empty = none
   io::WriteOptions write;
-  std::string json;  ///< a path, "-" for standard output, empty for none
+  std::string topology;  ///< the file of a periodic mesh's topology; empty = none
+  std::string json;      ///< a path, "-" for standard output, empty for none
   bool keep_partial = false, no_verify = false, quiet = false;
 };
 

@@ -18,6 +18,8 @@
 #include "shape_quality.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
+#include "topology_json.hpp"
+#include "unsliver/periodic.hpp"
 #include "unsliver/stream.hpp"
 
 namespace unsliver::cli {
@@ -70,6 +72,7 @@ class MeshRun {
   std::function<double(const Vec3&)> local_feature_size(const GradingGuarantee& grading) const;
   bool can_test_size() const;
   std::vector<Vec3> points_to_cover() const;
+  SizingPtr capped_sizing() const;
   const MeshOptions& asked() const { return *report_.options; }
   QualityLimits limits() const {
     return {asked().min_dihedral_deg, asked().max_dihedral_deg, asked().max_radius_edge};
@@ -133,9 +136,17 @@ void MeshRun::prepare() {
   report_.source = make_domain(options_.domain);
   report_.size = make_sizing(options_.size, *report_.source);
   with_inputs([this](std::span<const Vec3> points) {
-    report_.estimate = estimate_size(*report_.source->domain, *report_.size->sizing, points, asked());
+    report_.estimate = estimate_size(*report_.source->domain, *capped_sizing(), points, asked());
   });
   if (is_streamed()) report_.estimate->bytes = kStreamedBytesPerTet * report_.estimate->tets;
+}
+
+/// Periodic cells know no sizes beyond a quarter of their shortest side.
+SizingPtr MeshRun::capped_sizing() const {
+  const auto& cell = report_.source->periodic_cell;
+  if (!cell) return report_.size->sizing;
+  const Vec3 sides = cell->size();
+  return minimum_size({report_.size->sizing, constant_size(0.25 * std::min({sides.x, sides.y, sides.z}))});
 }
 
 void MeshRun::check_limits() {
@@ -166,8 +177,10 @@ void MeshRun::make() {
   with_inputs([this](std::span<const Vec3> points) {
     const DomainSource& source = *report_.source;
     const Sizing& sizing = *report_.size->sizing;
-    result_ = source.exact_box ? mesh_box(*source.exact_box, sizing, asked(), display_.control())
-                               : mesh_domain(*source.domain, sizing, points, asked(), display_.control());
+    const Control& control = display_.control();
+    result_ = source.periodic_cell ? mesh_periodic(*source.periodic_cell, sizing, points, asked(), control)
+              : source.exact_box   ? mesh_box(*source.exact_box, sizing, asked(), control)
+                                   : mesh_domain(*source.domain, sizing, points, asked(), control);
   });
 }
 
@@ -203,7 +216,9 @@ void MeshRun::count() {
                     static_cast<std::size_t>(inputs)};
 }
 
+/// None of a torus: the volume says more.
 std::vector<Vec3> MeshRun::points_to_cover() const {
+  if (report_.source->periodic_cell) return {};
   if (!report_.source->surface) return domain_samples(*report_.source->domain, kCoverSamples);
   std::vector<Vec3> points = surface_vertices(*report_.source->surface);
   const std::vector<Vec3> samples = surface_samples(*report_.source->surface, kCoverSamples);
@@ -228,6 +243,7 @@ VerifyOptions MeshRun::verify_options() const {
   if (result_.status != MeshStatus::kDone) return verify;
   verify.guarantee = guarantee_of(limits());
   if (report_.size->demands()) verify.size = [this](const Vec3& p) { return report_.size->sizing->at(p); };
+  if (report_.source->periodic_cell) return verify;
   const GradingGuarantee grading = grading_guarantee(result_.stats.strategy, inputs().has_value());
   if (grading.share > 0) verify.lfs_lower_bound = local_feature_size(grading);
   verify.grading_constant = grading.share;
@@ -287,6 +303,7 @@ void MeshRun::write() {
   io::WriteOptions write = options_.write;
   if (writes_vtu(options_)) write.min_dihedral_deg = min_dihedral_angles_deg(result_.mesh);
   io::write_tet_mesh(options_.output, result_.mesh, write);
+  if (!options_.topology.empty()) write_json(options_.topology, topology_json(result_.mesh).dump() + "\n");
   report_.output = options_.output;
 }
 

@@ -36,6 +36,14 @@ struct Periodicity {
   std::vector<std::array<std::int8_t, 3>> shift;  ///< n: how many periods from home, along each axis
 };
 
+/// The label of triangles beyond which lies a copy of the mesh moved by (i, j, k) periods, each in -1 .. 1
+/// and not all of them 0: 1 to 27. The triangle's partner is labelled 28 less that.
+constexpr int periodic_face_label(int i, int j, int k) { return 14 + i + 3 * j + 9 * k; }
+/// (i, j, k) of a label.
+constexpr std::array<int, 3> periodic_face_shift(int label) {
+  return {(label - 1) % 3 - 1, (label - 1) / 3 % 3 - 1, (label - 1) / 9 - 1};
+}
+
 /// A tetrahedral mesh. n points, m tetrahedra. Optional arrays are empty or have the stated length.
 struct TetMesh {
   std::vector<Vec3> points;                        ///< n, the caller's coordinates and units

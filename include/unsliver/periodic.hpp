@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "unsliver/refine.hpp"
 
@@ -29,8 +30,9 @@ namespace unsliver {
 MeshResult mesh_periodic(const Box3& cell, const Sizing& sizing, std::span<const Vec3> inputs = {},
                          const MeshOptions& options = {}, const Control& control = {});
 
-/// The label of triangles beyond which lies a copy of the mesh moved by (i, j, k) periods, each in -1 .. 1
-/// and not all of them 0: 1 to 27. The triangle's partner is labelled 28 less that.
-constexpr int periodic_face_label(int i, int j, int k) { return 14 + i + 3 * j + 9 * k; }
+/// The points, each moved by whole periods into the half-open cell if it is not there already. Moving rounds:
+/// a point that was moved and meets another one but for rounding becomes equal to it.
+/// \throws Error kUnsupported or kLimit as above.
+std::vector<Vec3> points_in_cell(const Box3& cell, std::span<const Vec3> points);
 
 }  // namespace unsliver

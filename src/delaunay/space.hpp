@@ -75,7 +75,7 @@ class Torus {
   using Shifts = PodVector<Shift>;
 
   /// Requires: positive integers, at most 2^46.
-  explicit Torus(const Vec3& period) : period_(period) {
+  explicit Torus(const Vec3& period = {1, 1, 1}) : period_(period) {
     for (unsigned bits = 0; bits < 8; ++bits)
       copies_[bits] = {bits & 1 ? period.x : 0, bits & 2 ? period.y : 0, bits & 4 ? period.z : 0};
   }

@@ -10,6 +10,7 @@
 #include "io/fail.hpp"
 #include "io/msh_input.hpp"
 #include "io/msh_output.hpp"
+#include "io/msh_periodic.hpp"
 #include "io/writers.hpp"
 #include "unsliver/types.hpp"
 
@@ -103,6 +104,29 @@ void write_elements_22(MshOutput& out, std::int64_t type, std::size_t first_tag,
   }
 }
 
+/// Row by row: the translation from the master to its copy.
+std::array<double, 16> affine(const Vec3& moved) {
+  return {1, 0, 0, moved.x, 0, 1, 0, moved.y, 0, 0, 1, moved.z, 0, 0, 0, 1};
+}
+
+/// Text in binary files too.
+void write_periodic_22(MshOutput& out, const std::vector<PeriodicFaces>& faces) {
+  if (faces.empty()) return;
+  out.text_line("$Periodic");
+  out.text_count(faces.size());
+  for (const PeriodicFaces& face : faces) {
+    out.text_line("2 ", face.label, " ", face.master);
+    const auto a = affine(face.moved);
+    out.text_line("Affine ", a[0], " ", a[1], " ", a[2], " ", a[3], " ", a[4], " ", a[5], " ", a[6], " ",
+                  a[7], " ", a[8], " ", a[9], " ", a[10], " ", a[11], " ", a[12], " ", a[13], " ", a[14], " ",
+                  a[15]);
+    out.text_count(face.nodes.size());
+    for (const auto& [node, master] : face.nodes)
+      out.text_line(std::uint64_t{node} + 1, " ", std::uint64_t{master} + 1);
+  }
+  out.text_line("$EndPeriodic");
+}
+
 // Version 4.1: elements by entity.
 
 void write_entity(MshOutput& out, const LabelGroups::Group& group, const Box3& box) {
@@ -167,6 +191,29 @@ void write_element_blocks(MshOutput& out, std::int64_t type, std::size_t first_t
   }
 }
 
+void write_periodic_41(MshOutput& out, const std::vector<PeriodicFaces>& faces) {
+  if (faces.empty()) return;
+  out.begin("Periodic");
+  out.size(faces.size());
+  out.end_row();
+  for (const PeriodicFaces& face : faces) {
+    for (const int value : {2, face.label, face.master}) out.integer(value);
+    out.end_row();
+    const auto a = affine(face.moved);
+    out.size(a.size());
+    for (const double value : a) out.real(value);
+    out.end_row();
+    out.size(face.nodes.size());
+    out.end_row();
+    for (const auto& [node, master] : face.nodes) {
+      out.size(std::uint64_t{node} + 1);
+      out.size(std::uint64_t{master} + 1);
+      out.end_row();
+    }
+  }
+  out.end("Periodic");
+}
+
 }  // namespace
 
 void write_msh22(const std::filesystem::path& path, const TetMesh& mesh, bool ascii) {
@@ -183,6 +230,7 @@ void write_msh22(const std::filesystem::path& path, const TetMesh& mesh, bool as
   write_elements_22(out, kMshTetrahedron, 1, mesh.tets, mesh.regions);
   write_elements_22(out, kMshTriangle, mesh.tets.size() + 1, mesh.triangles, mesh.triangle_labels);
   out.end("Elements");
+  write_periodic_22(out, periodic_faces(mesh));
   out.commit();
 }
 
@@ -201,6 +249,7 @@ void write_msh41(const std::filesystem::path& path, const TetMesh& mesh, bool as
   write_element_blocks(out, kMshTriangle, mesh.tets.size() + 1, surfaces, mesh.triangles);
   write_element_blocks(out, kMshTetrahedron, 1, volumes, mesh.tets);
   out.end("Elements");
+  write_periodic_41(out, periodic_faces(mesh));
   out.commit();
 }
 

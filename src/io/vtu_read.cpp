@@ -22,6 +22,7 @@ class VtuReader {
     drop_incomplete_arrays();
     read_frame();
     read_limits();
+    read_periodicity();
     return std::move(mesh_);
   }
 
@@ -155,6 +156,31 @@ class VtuReader {
           "positive radius-edge ratio; without the array the mesh is judged as any other",
           document_.name, kVtuLimits);
     mesh_.limits = QualityLimits{v[0], v[1], v[2]};
+  }
+
+  /// Points are numbered by piece, so there must be one.
+  void read_periodicity() {
+    const VtuArray* cell = document_.field_data.find("FieldData", kVtuCell);
+    if (!cell || document_.pieces.size() != 1) return;
+    const VtuPiece& piece = document_.pieces.front();
+    const auto of_points = [&](std::string_view name) {
+      return vtu_values<std::int64_t>(document_, require(piece, "PointData", name));
+    };
+    const std::vector<double> v = vtu_values<double>(document_, *cell);
+    const std::vector<std::int64_t> homes = of_points(kVtuHome), shifts = of_points(kVtuShift);
+    if (v.size() != 6 || homes.size() != mesh_.points.size() || shifts.size() != 3 * homes.size())
+      fail(ErrorCode::kFormat,
+           "{}: a periodic mesh needs six numbers in '{}', and for each point one in '{}' and "
+           "three in '{}'",
+           document_.name, kVtuCell, kVtuHome, kVtuShift);
+    Periodicity& periodicity = mesh_.periodicity.emplace();
+    periodicity.cell = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+    for (const std::int64_t home : homes) periodicity.home.push_back(narrowed<VertexId>(home, kVtuHome));
+    for (std::size_t i = 0; i < shifts.size(); i += 3) {
+      auto& shift = periodicity.shift.emplace_back();
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        shift[axis] = narrowed<std::int8_t>(shifts[i + axis], kVtuShift);
+    }
   }
 
   const VtuArray& require(const VtuPiece& piece, std::string_view section, std::string_view name) const {

@@ -57,7 +57,8 @@ class VtuWriter {
     tag("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"",
         kBig ? "BigEndian" : "LittleEndian",
         "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n");
-    if (mesh_.frame || mesh_.limits) section("FieldData", [&] { describe_field_data(); });
+    if (mesh_.frame || mesh_.limits || mesh_.periodicity)
+      section("FieldData", [&] { describe_field_data(); });
     tag("    <Piece NumberOfPoints=\"", std::to_string(mesh_.points.size()), "\" NumberOfCells=\"",
         std::to_string(cell_count()), "\">\n");
     section("PointData", [&] { describe_point_data(); });
@@ -76,11 +77,26 @@ class VtuWriter {
       const double values[] = {l->min_dihedral_deg, l->max_dihedral_deg, l->max_radius_edge};
       array<double>(kVtuLimits, values, "NumberOfTuples=\"3\" ");
     }
+    if (const auto& p = mesh_.periodicity) {
+      const double values[] = {p->cell.lo.x, p->cell.lo.y, p->cell.lo.z,
+                               p->cell.hi.x, p->cell.hi.y, p->cell.hi.z};
+      array<double>(kVtuCell, values, "NumberOfTuples=\"6\" ");
+    }
   }
 
   void describe_point_data() {
     if (!mesh_.levels.empty()) array<std::uint8_t>(kVtuLevel, mesh_.levels);
     if (!mesh_.point_source.empty()) array<std::int64_t>(kVtuPointSource, mesh_.point_source);
+    if (mesh_.periodicity) describe_periodicity(*mesh_.periodicity);
+  }
+
+  void describe_periodicity(const Periodicity& periodicity) {
+    const std::vector<std::int64_t> homes(periodicity.home.begin(), periodicity.home.end());
+    array<std::int64_t>(kVtuHome, homes);
+    std::vector<std::int32_t> shifts;
+    shifts.reserve(3 * periodicity.shift.size());
+    for (const auto& shift : periodicity.shift) shifts.insert(shifts.end(), shift.begin(), shift.end());
+    array<std::int32_t>(kVtuShift, shifts, "NumberOfComponents=\"3\" ");
   }
 
   void describe_cell_data() {

@@ -13,6 +13,8 @@ Forest::Forest(const Brick& brick) : brick_(brick) {
 
 NodeId Forest::root(int i, int j, int k) const {
   const auto& n = brick_.count;
+  const auto wrapped = [](int at, int count) { return (at % count + count) % count; };
+  if (brick_.periodic) i = wrapped(i, n[0]), j = wrapped(j, n[1]), k = wrapped(k, n[2]);
   if (i < 0 || j < 0 || k < 0 || i >= n[0] || j >= n[1] || k >= n[2]) return kNoNode;
   return i + n[0] * (j + n[1] * k);
 }

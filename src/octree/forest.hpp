@@ -57,6 +57,7 @@ struct Brick {
   int exponent;
   std::array<std::int64_t, 3> lo;
   std::array<int, 3> count;
+  bool periodic = false;  ///< opposite faces are one
 };
 
 class Forest {
@@ -69,7 +70,7 @@ class Forest {
   Node& operator[](NodeId n) { return nodes_[std::size_t(n)]; }
   const Node& operator[](NodeId n) const { return nodes_[std::size_t(n)]; }
 
-  /// Root number (i, j, k) of the brick, kNoNode beyond it.
+  /// Root number (i, j, k) of the brick; beyond it kNoNode, or the one that is there if it is periodic.
   NodeId root(int i, int j, int k) const;
   Cell root_cell(int i, int j, int k) const;
 

@@ -60,7 +60,8 @@ class Run {
     prepare();
     enter("emit");
     write();
-    if (ground_.is_domain()) mark_faces(domain_.bounds(), mesh_, options_.threads);
+    if (ground_.is_domain() && !ground_.lattice.brick.periodic)
+      mark_faces(domain_.bounds(), mesh_, options_.threads);
   }
 
   void stream(MeshSink& sink) {
@@ -283,6 +284,16 @@ OctreeResult mesh_box_octree(const Box3& box, const Sizing& sizing, const Octree
   if (sizing.lipschitz() == 0 && result.status == OctreeStatus::kDone)
     result.stats.radius = run.radius_of_a_leaf();
   return result;
+}
+
+OctreeResult mesh_torus_octree(const Box3& cell, const BoxLattice& lattice, const Sizing& sizing,
+                               const OctreeOptions& options, const Control& control) {
+  require_thread(options);
+  const DomainPtr domain = make_box(cell);
+  Ground ground{lattice, kWholeInside};
+  ground.lattice.brick.periodic = true;
+  Run run(ground, *domain, sizing, options, control);
+  return result_of(run);
 }
 
 }  // namespace unsliver::octree

@@ -12,6 +12,7 @@
 
 #include "geom/point_tree.hpp"
 #include "lattice/world.hpp"
+#include "octree/box_lattice.hpp"
 #include "octree/guest.hpp"
 #include "unsliver/domain.hpp"
 #include "unsliver/mesh_sink.hpp"
@@ -87,5 +88,12 @@ OctreeResult mesh_domain_octree(const Domain& domain, const Sizing& sizing, cons
 /// that they do (octree/box_lattice.hpp).
 OctreeResult mesh_box_octree(const Box3& box, const Sizing& sizing, const OctreeOptions& options = {},
                              const Control& control = {});
+
+/// The torus that a box becomes when its opposite faces are one: a forest whose neighbours go on at the other
+/// end. Points are at home, in the half-open cell, and tetrahedra name them whatever copies they mean. `s` is
+/// asked in the cell, must not jump across its faces, and must be below a quarter of its shortest side.
+/// Ensures and \throws as mesh_domain_octree, the lattice being one of lattices_of(cell).
+OctreeResult mesh_torus_octree(const Box3& cell, const BoxLattice& lattice, const Sizing& sizing,
+                               const OctreeOptions& options = {}, const Control& control = {});
 
 }  // namespace unsliver::octree

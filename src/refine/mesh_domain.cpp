@@ -10,6 +10,7 @@
 #include "refine/figure_5.hpp"
 #include "refine/figure_8.hpp"
 #include "refine/figure_8_octree.hpp"
+#include "refine/octree_run.hpp"
 #include "refine/refinement.hpp"
 #include "refine/run_stats.hpp"
 #include "unsliver/error.hpp"
@@ -102,50 +103,11 @@ MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::s
   return result_of(refinement, status, extraction);
 }
 
-MeshStatus status_of(octree::OctreeStatus status) {
-  switch (status) {
-    case octree::OctreeStatus::kDone:
-      return MeshStatus::kDone;
-    case octree::OctreeStatus::kTetCap:
-      return MeshStatus::kTetCap;
-    case octree::OctreeStatus::kMemoryCap:
-      return MeshStatus::kMemoryCap;
-    case octree::OctreeStatus::kCancelled:
-      break;
-  }
-  return MeshStatus::kCancelled;
-}
-
-unsigned thread_count(const MeshOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-}
-
-octree::OctreeOptions octree_options(const MeshOptions& options) {
-  octree::OctreeOptions limits;
-  limits.max_tets = options.max_tets;
-  limits.max_bytes = options.max_memory_bytes;
-  limits.threads = thread_count(options);
-  return limits;
-}
-
-MeshResult result_of(octree::OctreeResult&& made, const octree::OctreeOptions& limits) {
-  MeshResult result;
-  result.status = status_of(made.status);
-  result.mesh = std::move(made.mesh);
-  for (const auto& phase : made.stats.phases) result.stats.phases.push_back({phase.name, phase.seconds});
-  result.stats.total_vertices = result.mesh.points.size();
-  result.stats.total_tets = result.mesh.tets.size();
-  result.stats.peak_bytes = made.stats.peak_bytes;
-  result.stats.threads = limits.threads;
-  result.stats.domain_tests = made.stats.domain_tests;
-  return result;
-}
-
 MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, const MeshOptions& options,
                           const Control& control) {
   refine::quality_bounds(options, false);  // refuses what no theorem backs
-  const octree::OctreeOptions limits = octree_options(options);
-  return result_of(octree::mesh_domain_octree(domain, sizing, limits, control), limits);
+  const octree::OctreeOptions limits = refine::octree_options(options);
+  return refine::result_of(octree::mesh_domain_octree(domain, sizing, limits, control), limits);
 }
 
 /// Beyond the domain's box there may be no vertices of the forest to build upon.
@@ -165,11 +127,12 @@ void require_inputs_in_box(const Domain& domain, std::span<const Vec3> inputs) {
 MeshResult mesh_by_octree(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                           const MeshOptions& options, const Control& control) {
   require_inputs_in_box(domain, inputs);
-  const octree::OctreeOptions limits = octree_options(options);
+  const octree::OctreeOptions limits = refine::octree_options(options);
   refine::Refinement refinement(domain, sizing, inputs, options, control);
   MeshResult result;
   try {
-    result = result_of(refine::figure_8_on_octree(refinement, domain, sizing, limits, control), limits);
+    result =
+        refine::result_of(refine::figure_8_on_octree(refinement, domain, sizing, limits, control), limits);
   } catch (const refine::Stopped& stopped) {
     result.status = stopped.status;
   }
@@ -232,12 +195,12 @@ StreamResult stream_domain(const Domain& domain, const Sizing& sizing, MeshSink&
                 fmt::format("only the octree strategy makes meshes piece by piece, this is {} ({})",
                             to_string(choice.strategy), choice.reason));
   refine::quality_bounds(options, false);  // refuses what no theorem backs
-  const octree::OctreeOptions limits = octree_options(options);
+  const octree::OctreeOptions limits = refine::octree_options(options);
   octree::OctreeResult made = octree::stream_domain_octree(domain, sizing, sink, limits, control);
   StreamResult result;
   result.vertices = made.stats.vertices;
   result.tets = made.stats.needed_tets;
-  MeshResult meshed = result_of(std::move(made), limits);
+  MeshResult meshed = refine::result_of(std::move(made), limits);
   result.status = meshed.status;
   result.limits = refine::limits_of(options, false);
   result.stats = std::move(meshed.stats);
@@ -254,10 +217,10 @@ MeshResult mesh_box(const Box3& box, const Sizing& sizing, const MeshOptions& op
     throw Error(ErrorCode::kBadOption, fmt::format("the {} strategy cannot fill a box exactly: use octree",
                                                    to_string(options.strategy)));
   refine::quality_bounds(options, false);  // refuses what no theorem backs
-  const octree::OctreeOptions limits = octree_options(options);
+  const octree::OctreeOptions limits = refine::octree_options(options);
   octree::OctreeResult made = octree::mesh_box_octree(box, sizing, limits, control);
   const double radius = made.stats.radius;
-  MeshResult result = result_of(std::move(made), limits);
+  MeshResult result = refine::result_of(std::move(made), limits);
   note_lattice(sizing.at(box.center()), radius, result);
   result.stats.strategy = Strategy::kOctree;
   result.stats.strategy_reason = "the box is to be filled exactly";

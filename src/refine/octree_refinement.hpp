@@ -4,6 +4,7 @@
 
 #include "refine/point_lookup.hpp"
 #include "refine/queued.hpp"
+#include "refine/refinement.hpp"
 #include "refine/size_enforcement.hpp"
 #include "refine/surroundings.hpp"
 

@@ -1,13 +1,17 @@
 /// \file
-/// From the torus to a mesh of the cell, with copies of the vertices where tetrahedra reach beyond.
+/// What the kernel, or a forest, has made of a torus as a mesh of the cell.
 #pragma once
 
 #include "refine/periodic_refinement.hpp"
 
 namespace unsliver::refine {
 
-/// Tetrahedra in storage order, each (but for a few) where its least corner along each axis is in the cell.
-/// First the input vertices in the caller's order, then the others in order of insertion, then copies.
+/// Tetrahedra in storage order. First the input vertices in the caller's order, then the others in order of
+/// insertion, then copies.
 TetMesh extract_periodic(const PeriodicRefinement& refinement);
+
+/// The same of a mesh whose points are all at home and whose tetrahedra name them whatever copies they mean:
+/// the nearest, tetrahedra being narrower than half a period. Labels are made no coarser than `coarsest`.
+TetMesh unfold_periodic(TetMesh homes, const Box3& cell, Level coarsest);
 
 }  // namespace unsliver::refine

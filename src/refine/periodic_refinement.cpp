@@ -21,12 +21,6 @@ constexpr double kCapShare = 0.999;
 /// More vertices than this in the start alone are no mesh that anybody meant.
 constexpr double kMostStartPoints = 0x1p23;
 
-double largest_size(const PeriodicWorld& place) {
-  const Vec3 period = place.period();
-  const double quarter = 0.25 * std::min({period.x, period.y, period.z});
-  return kCapShare * std::min(quarter, lattice::covering_radius(place.coarsest_level() + 1));
-}
-
 void require_few_points(const PeriodicWorld& place, Level level) {
   const Vec3 steps = 1 / lattice::power_of_two(lattice::exponent(level)) * place.period();
   const double points = (lattice::is_bcc(level) ? 2 : 1) * steps.x * steps.y * steps.z;
@@ -72,7 +66,7 @@ std::vector<Vec3> start_points(const delaunay::Torus& torus, const PeriodicInput
 /// ball of radius r(SC_k) + 2^k rho can miss all points and all input vertices in the regions of points.
 PeriodicRefinement::Start find_start(const PeriodicWorld& place, const PeriodicInputs& inputs) {
   const delaunay::Torus torus = place.torus();
-  const double radius = (1 - kSizeSlack) * largest_size(place);
+  const double radius = (1 - kSizeSlack) * place.largest_size();
   const auto is_small = [&](const Tet& t) {
     return circumsphere(t).radius_sq < radius * radius * (1 + 1e-8);
   };
@@ -151,8 +145,15 @@ void PeriodicWorld::meet_moved(std::span<const Vec3> inputs) {
 }
 
 Vec3 PeriodicWorld::period() const {
-  const auto& [exponent, lo, count] = lattice_.brick;
-  return lattice::power_of_two(exponent) * Vec3{double(count[0]), double(count[1]), double(count[2])};
+  const auto& count = lattice_.brick.count;
+  return lattice::power_of_two(lattice_.brick.exponent) *
+         Vec3{double(count[0]), double(count[1]), double(count[2])};
+}
+
+double PeriodicWorld::largest_size() const {
+  const Vec3 sides = period();
+  const double quarter = 0.25 * std::min({sides.x, sides.y, sides.z});
+  return kCapShare * std::min(quarter, lattice::covering_radius(coarsest_level() + 1));
 }
 
 Vec3 PeriodicWorld::home(const Vec3& x) const {
@@ -186,7 +187,7 @@ PeriodicRefinement::PeriodicRefinement(const PeriodicWorld& place, const Sizing&
       place_(place),
       sizing_(sizing, place.cell()),
       inputs_(std::move(inputs)),
-      size_cap_(refine::largest_size(place)) {
+      size_cap_(place.largest_size()) {
   const double finest = lattice::covering_radius(world().finest_level());  // sizes below it are refused
   size_floor_ = std::clamp(sizing_.lower_bound(place.cell()) / world().unit(), finest, size_cap_);
   if (lipschitz() == 0) constant_size_ = size_floor_;

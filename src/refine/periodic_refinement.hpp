@@ -32,7 +32,10 @@ class PeriodicWorld {
   const Box3& cell() const { return cell_; }
   delaunay::Torus torus() const { return delaunay::Torus(period()); }
   Vec3 period() const;
+  const octree::BoxLattice& lattice() const { return lattice_; }
   Level coarsest_level() const { return 2 * lattice_.brick.exponent + 1; }
+  /// The cap, in units.
+  double largest_size() const;
 
   /// The caller's points, each at its copy in the cell.
   const std::vector<Vec3>& wrapped() const { return wrapped_; }

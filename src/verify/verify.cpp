@@ -38,7 +38,7 @@ std::vector<VertexId> check_facets(const Context& c) {
                     grouped(facets.boundary.size()) + " in one" +
                     (wrong == 0 ? "" : "; " + grouped(wrong) + " defects"));
     check_boundary(c, facets.boundary);
-    if (c.options.inside) check_holes(c, facets.boundary);
+    if (c.options.inside && !c.mesh.periodicity) check_holes(c, facets.boundary);
   }
   return c.options.delaunay ? std::move(facets.beyond) : std::vector<VertexId>{};
 }

@@ -70,9 +70,10 @@ TEST(Periodic, EveryElementKeepsThePromise) {
   for (const Box3& cell : {kCube, kBrick})
     for (const NamedSize& size : sizes(cell))
       for (const std::size_t n : {0, 1, 2, 10})
-        for (const Strategy strategy : {Strategy::kLiteral, Strategy::kThrifty, Strategy::kClosure})
+        for (const Strategy strategy :
+             {Strategy::kLiteral, Strategy::kThrifty, Strategy::kClosure, Strategy::kOctree})
           for (std::uint64_t seed = 1; seed <= (n == 0 ? 1 : seeds()); ++seed) {
-            if (n > 0 && strategy == Strategy::kClosure) continue;
+            if (n > 0 && (strategy == Strategy::kClosure || strategy == Strategy::kOctree)) continue;
             SCOPED_TRACE(size.name + ", " + std::to_string(n) + " points, " + to_string(strategy) +
                          ", seed " + std::to_string(seed) + (cell.lo.x < 0 ? ", brick" : ", cube"));
             const MeshResult result = mesh(cell, *size.size, random_points(n, kWide, seed), strategy);
@@ -176,7 +177,8 @@ TEST(Periodic, InputVerticesAreWrappedAndMergedAcrossFaces) {
 
 TEST(Periodic, SizesMayJumpAcrossFaces) {
   const SizingPtr ramp = expression_size("0.04 + 0.2 * x", kCube);
-  for (const Strategy strategy : {Strategy::kThrifty, Strategy::kClosure, Strategy::kLiteral})
+  for (const Strategy strategy :
+       {Strategy::kThrifty, Strategy::kClosure, Strategy::kLiteral, Strategy::kOctree})
     expect_verified(mesh(kCube, *ramp, {}, strategy), *ramp);
   const SizingPtr step = expression_size("0.06 + 0.1 * (x > 0.5)", kCube);
   expect_verified(mesh(kCube, *step, {}, Strategy::kThrifty), *step);
@@ -197,6 +199,7 @@ TEST(Periodic, RefusesWhatItCannotDo) {
   EXPECT_NE(refusal(kCube, {{0x1p-44, 0.5, 0.5}, {1 - 0x1p-44, 0.5, 0.5}}).find("merge such points"),
             std::string::npos);
   EXPECT_THROW(mesh(kCube, *constant_size(1), {{0.5, 0.5, 0.5}}, Strategy::kClosure), Error);
+  EXPECT_THROW(mesh(kCube, *constant_size(1), {{0.5, 0.5, 0.5}}, Strategy::kOctree), Error);
 }
 
 TEST(Periodic, CapsLeaveAValidMesh) {
@@ -224,8 +227,7 @@ TEST(Periodic, FacesComeInPairs) {
     ASSERT_EQ(pair.size(), 2u);
     EXPECT_EQ(mesh.triangle_labels[pair[0]] + mesh.triangle_labels[pair[1]], 28);
     for (const std::size_t i : pair) {
-      const int code = mesh.triangle_labels[i] - 14;
-      const std::array<int, 3> moved{(code + 13) % 3 - 1, (code + 13) / 3 % 3 - 1, (code + 13) / 9 - 1};
+      const std::array<int, 3> moved = periodic_face_shift(mesh.triangle_labels[i]);
       for (const VertexId v : mesh.triangles[i]) {
         const auto& other = mesh.triangles[pair[0] + pair[1] - i];
         const auto partner =
