@@ -10,6 +10,7 @@
 #include "errors.hpp"
 #include "geometry.hpp"
 #include "mesh_job.hpp"
+#include "unsliver/embed.hpp"
 #include "unsliver/quality.hpp"
 
 namespace unsliver::python {
@@ -146,6 +147,19 @@ py::array min_dihedral_angles(const py::handle& mesh) {
   return array_of<float>(min_dihedral_angles_deg(tets));
 }
 
+py::tuple embed(const py::handle& points, const py::handle& mesh) {
+  const std::vector<Vec3> places = to_points(points, "points");
+  const TetMesh tets = to_tet_mesh(mesh);
+  Embedding embedding;
+  {
+    const py::gil_scoped_release unlocked;
+    embedding = embed_points(tets, places);
+  }
+  return py::make_tuple(array_of<std::int64_t>(std::move(embedding.tets)),
+                        array_of<std::int64_t>(std::move(embedding.vertices)),
+                        array_of<double>(std::move(embedding.weights)));
+}
+
 }  // namespace
 
 void add_jobs(py::module_& module) {
@@ -164,6 +178,7 @@ void add_jobs(py::module_& module) {
   module.def("mesh", mesh);
   module.def("check", check);
   module.def("quality", quality);
+  module.def("embed", embed, py::arg("points"), py::arg("mesh"));
   module.def("min_dihedral_angles", min_dihedral_angles);
 }
 

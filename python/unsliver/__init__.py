@@ -13,6 +13,7 @@ called from several threads at once; they release the interpreter lock while the
 
 from ._core import Domain, Progress, Sizing
 from ._domains import ball, box, hull, implicit
+from ._embed import Embedding, embed
 from ._errors import (
     Error,
     FileError,
@@ -30,8 +31,8 @@ from ._run import Finding, Verdict, check, mesh, refine
 from ._sizes import nodal_size, sampled_size
 
 __all__ = [
-    "Domain", "Error", "FileError", "Finding", "FormatError", "InputError", "InternalError", "LimitError", "Mesh",
+    "Domain", "Embedding", "Error", "FileError", "Finding", "FormatError", "InputError", "InternalError", "LimitError", "Mesh",
     "OptionError", "Points", "Progress", "Quality", "Sizing", "Stopped", "Surface", "UnsupportedError", "Verdict",
-    "ball", "box", "check", "from_meshio", "hull", "implicit", "mesh", "nodal_size", "read", "read_points", "refine",
+    "ball", "box", "check", "embed", "from_meshio", "hull", "implicit", "mesh", "nodal_size", "read", "read_points", "refine",
     "sampled_size", "write",
 ]

@@ -1,5 +1,7 @@
 """Files, meshio and pyvista."""
 
+import os
+import subprocess
 import sys
 import types
 
@@ -105,6 +107,25 @@ def test_any_arrays_survive_a_file(tmp_path_factory, count, seed):
     path = tmp_path_factory.mktemp("files") / "any.vtu"
     mesh.write(path)
     same(mesh, unsliver.read(path), "points", "tets", "regions")
+
+
+def test_rigs_of_the_program_can_be_read(tmp_path):
+    program = os.environ.get("UNSLIVER")
+    if not program:
+        pytest.skip("the program was not built")
+    cube = cube_surface()
+    (tmp_path / "cube.off").write_text("OFF\n8 12 0\n" + "\n".join(
+        [" ".join(map(repr, p)) for p in cube.points.tolist()] + ["3 " + " ".join(map(str, t)) for t in cube.triangles]))
+    mesh = unsliver.mesh(tmp_path / "cube.off", size=0.4)
+    mesh.write(tmp_path / "cube.vtu")
+    expected = unsliver.embed(cube.points, mesh)
+    for name in ["rig.npz", "rig.vtu"]:
+        subprocess.run([program, "embed", "cube.off", "cube.vtu", "-o", name], cwd=tmp_path, check=True)
+    npz, vtu = np.load(tmp_path / "rig.npz"), meshio.read(tmp_path / "rig.vtu")
+    assert np.array_equal(npz["points"], cube.points) and np.array_equal(npz["triangles"], cube.triangles)
+    assert np.array_equal(vtu.points, cube.points) and np.array_equal(vtu.cells_dict["triangle"], cube.triangles)
+    for name, array in expected._asdict().items():
+        assert np.array_equal(npz[name], array) and np.array_equal(vtu.point_data[name], array), name
 
 
 def test_pyvista_is_asked_for_clearly(monkeypatch, ball_mesh):

@@ -171,6 +171,21 @@ def test_the_same_bytes_for_any_number_of_threads():
     assert arrays(1) == arrays(3)
 
 
+@given(seed=st.integers(0, 2**32 - 1))
+def test_points_ride_on_the_mesh(seed):
+    random = np.random.default_rng(seed)
+    mesh = unsliver.mesh(unsliver.box((0, 0, 0), (1, 1, 1)), size=0.5)
+    points = random.random((50, 3))
+    rig = unsliver.embed(points, mesh)
+    assert np.allclose(rig.positions(mesh.points), points, atol=1e-14) and rig.weights.min() >= 0
+    assert (rig.vertices == mesh.tets[rig.tets]).all()
+    turn, shift = random.normal(size=(3, 3)), random.normal(size=3)
+    assert np.allclose(rig.positions(mesh.points @ turn + shift), points @ turn + shift, atol=1e-12)
+    with pytest.raises(unsliver.InputError) as caught:
+        unsliver.embed(np.concatenate([points, [(9, 9, 9)]]), mesh)
+    assert caught.value.ids == [50]
+
+
 def test_check_finds_faults(ball_mesh):
     torn = unsliver.Mesh(ball_mesh.points, np.delete(ball_mesh.tets, 100, axis=0), levels=ball_mesh.levels,
                          frame=ball_mesh.frame, limits=ball_mesh.limits)
