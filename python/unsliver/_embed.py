@@ -21,7 +21,9 @@ class Embedding(NamedTuple):
 
     def positions(self, vertex_positions: npt.ArrayLike) -> Floats:
         """Where the points are, (n, 3), when the mesh's vertices are at these places, (vertices of the mesh, 3)."""
-        return np.einsum("nk,nkd->nd", self.weights, np.asarray(vertex_positions, dtype=np.float64)[self.vertices])
+        corners = np.asarray(vertex_positions, dtype=np.float64)[self.vertices]
+        positions: Floats = np.einsum("nk,nkd->nd", self.weights, corners)
+        return positions
 
 
 def embed(points: npt.ArrayLike, mesh: Mesh) -> Embedding:

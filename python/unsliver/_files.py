@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple
 
 from . import _core
 from ._errors import OptionError
@@ -30,7 +30,7 @@ def read(path: Path) -> Mesh | Surface:
 
 
 def read_surface(path: Path) -> Surface:
-    return Surface(**cast("dict[str, Any]", _core.read_surface(os.fspath(path))))
+    return Surface(**_core.read_surface(os.fspath(path)))
 
 
 def read_points(path: Path) -> Points:

@@ -137,7 +137,8 @@ class Mesh:
     def boundary_faces(self) -> Integers:
         """The triangles of exactly one tetrahedron, outward, (k, 3). In a box that was filled exactly, and in
         meshes from files that list triangles: `faces`, to which `face_markers` belong."""
-        return self.faces if len(self.faces) else _indices(_core.boundary_faces(self))
+        faces: Integers = self.faces if len(self.faces) else _indices(_core.boundary_faces(self))
+        return faces
 
     def min_dihedral_angles(self) -> npt.NDArray[np.float32]:
         """Smallest dihedral angle of each tetrahedron, in degrees, (m,)."""

@@ -8,7 +8,7 @@ packages_python=(python3-dev pybind11-dev python3-numpy python3-venv python3-pip
 # To run the tests: a second compiler, the checkers, the test libraries, the oracle.
 packages_test=(clang clang-format clang-tidy libclang-rt-14-dev python3
                libgtest-dev libbenchmark-dev libcgal-dev
-               "${packages_python[@]}" python3-pytest python3-hypothesis python3-meshio)
+               "${packages_python[@]}" python3-pytest python3-hypothesis python3-meshio mypy)
 # The other mesh generators that the long tier measures against.
 packages_peers=(tetgen gmsh)
 # Faster rebuilds. Installed along with missing packages, never asked for alone.
