@@ -3,6 +3,7 @@
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -23,6 +24,11 @@ def pybind11_options():
     return [f"-Dpybind11_ROOT={pybind11.get_cmake_dir()}"]
 
 
+def generator():
+    """Ninja where it is, unless the environment names another one."""
+    return ["-GNinja"] if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ else []
+
+
 class CMakeBuild(build_ext):
     def build_extension(self, extension):
         folder = Path(self.get_ext_fullpath(extension.name)).resolve().parent
@@ -31,8 +37,9 @@ class CMakeBuild(build_ext):
                    "UNSLIVER_BUILD_TESTS": "OFF", "UNSLIVER_INSTALL": "OFF", "UNSLIVER_WERROR": "OFF",
                    "Python_EXECUTABLE": sys.executable, "UNSLIVER_PYTHON_MODULE_DIR": folder}
         build.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["cmake", "-S", ROOT, "-B", build, *(f"-D{name}={value}" for name, value in options.items()),
-                        *pybind11_options(), *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
+        definitions = [f"-D{name}={value}" for name, value in options.items()]
+        subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator(), *definitions, *pybind11_options(),
+                        *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.run(["cmake", "--build", build, "--target", "unsliver_python", "--parallel", jobs], check=True)
 
