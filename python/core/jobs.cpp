@@ -8,6 +8,7 @@
 #include "callbacks.hpp"
 #include "check_mesh.hpp"
 #include "errors.hpp"
+#include "generator_options.hpp"
 #include "geometry.hpp"
 #include "mesh_job.hpp"
 #include "unsliver/embed.hpp"
@@ -26,27 +27,19 @@ struct Request {
   bool keep_partial = false, verify = true;
 };
 
-Strategy strategy_of(const std::string& name) {
-  constexpr std::array kStrategies = {Strategy::kAuto, Strategy::kLiteral, Strategy::kThrifty,
-                                      Strategy::kOctree, Strategy::kClosure};
-  for (const Strategy strategy : kStrategies)
-    if (name == to_string(strategy)) return strategy;
-  throw Error(ErrorCode::kBadOption,
-              "strategy is \"" + name + "\": use auto, literal, thrifty, octree or closure");
-}
-
 template <typename Value>
 Value get(const py::dict& keywords, const char* name) {
   return keywords[name].cast<Value>();
 }
 
-MeshOptions options_of(const py::dict& keywords, bool with_inputs) {
+MeshOptions options_of(const py::dict& keywords, const cli::RunKind& kind) {
   MeshOptions options;
-  options.strategy = strategy_of(get<std::string>(keywords, "strategy"));
+  options.strategy = cli::strategy_of(get<std::string>(keywords, "strategy"), kind);
   options.min_dihedral_deg = get<double>(keywords, "min_angle");
   options.max_dihedral_deg = get<double>(keywords, "max_angle");
+  cli::check_angles(options);
   options.max_radius_edge =
-      get<std::optional<double>>(keywords, "max_radius_edge").value_or(least_radius_edge(with_inputs));
+      cli::radius_edge_bound(get<std::optional<double>>(keywords, "max_radius_edge"), kind.has_inputs);
   options.max_tets = get<std::optional<std::uint64_t>>(keywords, "max_tets").value_or(0);
   options.max_memory_bytes = get<std::optional<std::uint64_t>>(keywords, "max_memory").value_or(0);
   options.threads = get<std::optional<unsigned>>(keywords, "threads").value_or(0);
@@ -76,9 +69,15 @@ std::optional<cli::InputVertices> inputs_of(const py::dict& keywords) {
 Request request_of(const DomainObject& domain, const py::dict& keywords) {
   Request request;
   request.inputs = inputs_of(keywords);
-  request.options = options_of(keywords, request.inputs || domain.source.inputs);
+  if (request.inputs && domain.source.exact_box)
+    throw Error(
+        ErrorCode::kBadOption,
+        "a box that is filled exactly (conform) takes no points: its vertices are the lattice's alone");
   request.size = size_of(keywords);
   request.keep_partial = get<bool>(keywords, "keep_partial");
+  request.options = options_of(keywords, {.keep_partial = request.keep_partial,
+                                          .has_inputs = request.inputs || domain.source.inputs,
+                                          .conform = domain.source.exact_box.has_value()});
   request.verify = get<bool>(keywords, "verify");
   return request;
 }

@@ -33,9 +33,10 @@ def test_a_run_can_be_cancelled(options):
     assert time.monotonic() < end + 5
 
 
-def test_what_was_made_before_a_cancellation_can_be_kept():
+@pytest.mark.parametrize("strategy", ["thrifty", "auto"])
+def test_what_was_made_before_a_cancellation_can_be_kept(strategy):
     seen = []
-    mesh = unsliver.mesh(BALL, size=0.03, strategy="thrifty", keep_partial=True, on_progress=seen.append,
+    mesh = unsliver.mesh(BALL, size=0.03, strategy=strategy, keep_partial=True, on_progress=seen.append,
                          cancelled=lambda: len(seen) > 2)
     assert mesh.status == "cancelled" and len(mesh.tets) > 0
 

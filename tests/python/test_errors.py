@@ -20,7 +20,8 @@ NAN = float("nan")
     ({"size": "x"}, "positive"), ({"size": {}}, "formula"), ({"edge_length": 0}, "edge_length"),
     ({"size": lambda p: p}, "shape"), ({"size": lambda p: -p[:, 0]}, "greater than 0"),
     ({"size_gradation": 0.1}, "size_gradation"), ({"min_angle": 31}, "30"), ({"max_radius_edge": 1}, "1.118"),
-    ({"strategy": "best"}, "octree"), ({"size": 0.1, "size_max": 1}, "size_max"),
+    ({"strategy": "best"}, "octree"), ({"strategy": "octree", "keep_partial": True}, "keep_partial"),
+    ({"strategy": "closure", "points": [(0, 0, 0)]}, "points"), ({"size": 0.1, "size_max": 1}, "size_max"),
 ])
 def test_bad_options(options, word):
     with pytest.raises(unsliver.Error) as caught:
@@ -36,6 +37,7 @@ def test_bad_options(options, word):
     lambda: unsliver.box((0, 0), (1, 1, 1)), lambda: unsliver.box((0, 0, 0), (1, 1, 0)),
     lambda: unsliver.ball((0, 0, 0), -1), lambda: unsliver.implicit("x^2 + 1", (0, 0, 0), (1, 1, 1)),
     lambda: unsliver.refine(unsliver.Mesh(np.eye(3), np.empty((0, 4), int))), lambda: unsliver.check(7),
+    lambda: unsliver.mesh(unsliver.box((0, 0, 0), (1, 1, 1), conform=True), points=[(0, 0, 0)]),
     lambda: unsliver.mesh(unsliver.Mesh([(0, 0, 0)] * 4, [(0, 1, 2, 3)])),
 ])
 def test_bad_arguments(make):
