@@ -18,6 +18,7 @@ Command add_mesh(CLI::App& app);
 Command add_refine(CLI::App& app);
 Command add_check(CLI::App& app);
 Command add_convert(CLI::App& app);
+Command add_embed(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_view(CLI::App& app);
 Command add_prove(CLI::App& app);

@@ -70,9 +70,7 @@ void check_is_mesh(const std::string& path) {
 DomainSource from_file(const std::string& path) {
   check_readable(path);
   check_is_surface(path);
-  DomainSource source{.kind = "surface", .label = path, .surface = io::read_surface(path)};
-  source.domain = make_surface(*source.surface);
-  return source;
+  return source_of_surface(io::read_surface(path), path);
 }
 
 DomainSource from_ball(const std::string& text) {
@@ -143,14 +141,7 @@ InputVertices vertices_of(const std::string& path, const TetMesh& mesh) {
 DomainSource from_tets(const std::string& path) {
   check_readable(path);
   check_is_mesh(path);
-  const TetMesh mesh = io::read_tet_mesh(path);
-  DomainSource source{.kind = "tetrahedra", .label = path, .surface = boundary_surface(mesh)};
-  source.surface->name = path;
-  source.inputs = vertices_of(path, mesh);
-  source.before = summarize_quality(mesh);
-  source.notes = notes_on(mesh, *source.before, source.inputs->count());
-  source.domain = make_surface(*source.surface);
-  return source;
+  return source_of_tets(io::read_tet_mesh(path), path);
 }
 
 DomainSource named_domain(const DomainRequest& request) {
@@ -170,8 +161,7 @@ int count_named(const DomainRequest& r) {
 }
 
 DomainSource domain_around(const InputVertices& inputs, const DomainRequest& request) {
-  if (count_named(request) > 0) return named_domain(request);
-  return request.hull ? from_hull(inputs) : from_points(inputs);
+  return count_named(request) > 0 ? named_domain(request) : source_around(inputs, request.hull);
 }
 
 void check_hull(const DomainRequest& request) {
@@ -226,6 +216,26 @@ std::vector<std::string> all_notes(const DomainSource& source) {
   const std::vector<std::string> more = source.domain->notes();
   notes.insert(notes.end(), more.begin(), more.end());
   return notes;
+}
+
+DomainSource source_of_surface(TriangleMesh surface, const std::string& label) {
+  DomainSource source{.kind = "surface", .label = label, .surface = std::move(surface)};
+  source.domain = make_surface(*source.surface);
+  return source;
+}
+
+DomainSource source_of_tets(const TetMesh& mesh, const std::string& label) {
+  DomainSource source{.kind = "tetrahedra", .label = label, .surface = boundary_surface(mesh)};
+  source.surface->name = label;
+  source.inputs = vertices_of(label, mesh);
+  source.before = summarize_quality(mesh);
+  source.notes = notes_on(mesh, *source.before, source.inputs->count());
+  source.domain = make_surface(*source.surface);
+  return source;
+}
+
+DomainSource source_around(const InputVertices& inputs, bool hull) {
+  return hull ? from_hull(inputs) : from_points(inputs);
 }
 
 DomainSource make_domain(const DomainRequest& request) {

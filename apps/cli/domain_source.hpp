@@ -39,6 +39,13 @@ struct DomainSource {
 /// The source's own and the domain's.
 std::vector<std::string> all_notes(const DomainSource& source);
 
+/// From geometry in memory; reports and messages call it `label`. \throws Error, as make_surface does.
+DomainSource source_of_surface(TriangleMesh surface, const std::string& label);
+/// The union of the tetrahedra, whose vertices become inputs.
+DomainSource source_of_tets(const TetMesh& mesh, const std::string& label);
+/// The bounding box or the convex hull of points, which it does not take as inputs yet.
+DomainSource source_around(const InputVertices& inputs, bool hull);
+
 /// \throws Error kBadOption unless exactly one way was chosen.
 void check_domain_request(const DomainRequest& request);
 

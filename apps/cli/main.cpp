@@ -56,8 +56,9 @@ ExitCode run(int argc, char** argv) {
   app.set_version_flag("-V,--version", "unsliver " UNSLIVER_VERSION);
   app.require_subcommand(1);
   app.footer(kExamples);
-  const std::array commands = {add_mesh(app), add_refine(app), add_check(app), add_convert(app),
-                               add_info(app), add_view(app),   add_prove(app), add_help(app)};
+  const std::array commands = {add_mesh(app),    add_refine(app), add_check(app),
+                               add_convert(app), add_embed(app),  add_info(app),
+                               add_view(app),    add_prove(app),  add_help(app)};
   for (const Command& command : commands) check_values(*command.parser);
   try {
     app.parse(argc, argv);

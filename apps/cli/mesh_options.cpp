@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "files.hpp"
+#include "generator_options.hpp"
 #include "raw_mesh.hpp"
 #include "text.hpp"
 #include "unsliver/error.hpp"
@@ -144,44 +145,6 @@ void add_shared_options(CLI::App& parser, MeshCommandOptions& options) {
   add_thread_option(parser, options);
 }
 
-/// `value` must lie between `loosest` and `strictest`, in either order; NaN does not.
-void check_bound(const char* option, double value, double strictest, double loosest) {
-  const double low = std::min(strictest, loosest), high = std::max(strictest, loosest);
-  if (low <= value && value <= high && value != loosest) return;
-  throw Error(ErrorCode::kBadOption,
-              fmt::format("{} is {}: it must lie between {} and {} ({} is the strictest that is proven)",
-                          option, value, low, high, strictest));
-}
-
-void check_angles(const MeshOptions& mesh) {
-  const MeshOptions proven;
-  check_bound("--min-angle", mesh.min_dihedral_deg, proven.min_dihedral_deg, 0);
-  check_bound("--max-angle", mesh.max_dihedral_deg, proven.max_dihedral_deg, 180);
-}
-
-/// The bound to use, the least that is proven where none was typed.
-double radius_edge_bound(const std::optional<double>& typed, bool with_inputs) {
-  const double least = least_radius_edge(with_inputs);
-  if (!typed || *typed >= least) return typed.value_or(least);
-  throw Error(ErrorCode::kBadOption,
-              fmt::format("--max-radius-edge is {}: no less than {} is proven", *typed,
-                          with_inputs ? "1.368, beside points," : fmt::format("{} (sqrt(5)/2)", least)));
-}
-
-/// Boxes are filled exactly by octrees alone.
-void check_conforming_strategy(const MeshCommandOptions& options) {
-  if (!options.domain.conform) return;
-  if (options.keep_partial)
-    throw Error(ErrorCode::kBadOption,
-                "--keep-partial has no effect with --conform, which has no mesh until its end");
-  if (options.strategy != "auto" && options.strategy != "octree")
-    throw Error(
-        ErrorCode::kBadOption,
-        fmt::format("--strategy {} does not fill a box exactly, its tetrahedra reach beyond: --conform "
-                    "goes with octree",
-                    options.strategy));
-}
-
 void check_periodic_run(const MeshCommandOptions& options) {
   if (!options.domain.periodic) {
     if (!options.topology.empty())
@@ -216,20 +179,6 @@ void check_output(const MeshCommandOptions& options) {
                                            ? "--output is required: the mesh file to write"
                                            : "--output is required: the mesh file to write, or --stream");
   check_write_options(options.output, options.write);
-}
-
-/// An octree run without points that is ended early has no mesh to keep.
-Strategy strategy_of(const MeshCommandOptions& options) {
-  Strategy strategy = Strategy::kAuto;
-  for (const Strategy named : {Strategy::kThrifty, Strategy::kLiteral, Strategy::kClosure, Strategy::kOctree})
-    if (options.strategy == to_string(named)) strategy = named;
-  if (strategy == Strategy::kOctree && options.keep_partial && !options.domain.has_inputs())
-    throw Error(ErrorCode::kBadOption,
-                "--keep-partial has no effect with --strategy octree and no points: there is no mesh until "
-                "its end");
-  if (strategy == Strategy::kClosure && options.domain.has_inputs())
-    throw Error(ErrorCode::kBadOption, "--strategy closure knows no points: use thrifty, octree or literal");
-  return strategy == Strategy::kAuto && options.keep_partial ? Strategy::kThrifty : strategy;
 }
 
 }  // namespace
@@ -276,9 +225,9 @@ void check_mesh_options(MeshCommandOptions& options) {
   check_size_request(options.size);
   check_angles(options.mesh);
   options.mesh.max_radius_edge = radius_edge_bound(options.max_radius_edge, options.domain.has_inputs());
-  check_conforming_strategy(options);
   check_periodic_run(options);
-  options.mesh.strategy = strategy_of(options);
+  options.mesh.strategy = strategy_of(
+      options.strategy, {options.keep_partial, options.domain.has_inputs(), options.domain.conform});
   options.mesh.threads = options.threads.value_or(0);
   if (!options.max_tets.empty()) options.mesh.max_tets = parse_count(options.max_tets, "--max-tets");
   if (!options.max_memory.empty())

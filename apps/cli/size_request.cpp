@@ -67,7 +67,7 @@ std::optional<double> smallest_constant(const SizeRequest& request) {
 }
 
 bool varies(const SizeRequest& request) {
-  if (request.size_mesh) return true;
+  if (request.size_mesh || !request.functions.empty()) return true;
   for (const Typed& typed : typed_sizes(request))
     if (!parse_number(*typed.text)) return true;
   return false;
@@ -90,9 +90,9 @@ SizingPtr combined(std::vector<SizingPtr> sizes) {
   return sizes.size() == 1 ? sizes.front() : minimum_size(std::move(sizes));
 }
 
-/// Formulas and background meshes, limited to the gradation where one is asked for.
+/// Formulas, background meshes and functions, limited to the gradation where one is asked for.
 SizingPtr varying(const SizeRequest& request, const Box3& bounds) {
-  std::vector<SizingPtr> sizes;
+  std::vector<SizingPtr> sizes = request.functions;
   for (const Typed& typed : typed_sizes(request))
     if (!parse_number(*typed.text)) sizes.push_back(formula(typed, bounds));
   if (request.size_mesh) sizes.push_back(background(*request.size_mesh));

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "domain_source.hpp"
 #include "unsliver/sizing.hpp"
@@ -22,6 +23,7 @@ inline constexpr double kDefaultGradation = 0.3;
 struct SizeRequest {
   std::optional<std::string> size, edge_length;  ///< a number or a formula in x, y, z
   std::optional<std::string> size_mesh;          ///< a file of nodal values of s
+  std::vector<SizingPtr> functions;              ///< the caller's own
   std::optional<double> gradation, size_max;
 };
 

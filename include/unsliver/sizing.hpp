@@ -65,6 +65,11 @@ SizingPtr minimum_size(std::vector<SizingPtr> sizes);
 /// nearest point of the box.
 SizingPtr sampled_size(std::function<double(const Vec3&)> f, const Box3& bounds, std::size_t samples);
 
+/// The same from one call of f for all points of the grid, which gives one value a point. What f throws
+/// reaches the caller.
+using ManyValues = std::function<std::vector<double>(const std::vector<Vec3>&)>;
+SizingPtr sampled_size_at_once(const ManyValues& f, const Box3& bounds, std::size_t samples);
+
 /// A g-Lipschitz function (g > 0) nowhere larger than s in `bounds`, and nearly the largest one: s is
 /// bounded from below on cells as small as its steep places ask for; notes() states their number and how
 /// much may be lost. s itself if it is g-Lipschitz. Outside `bounds`: the value at the nearest point.

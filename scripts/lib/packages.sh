@@ -3,9 +3,12 @@
 # To build the program and the library.
 packages_build=(cmake ninja-build g++ libboost-dev libfmt-dev libcli11-dev nlohmann-json3-dev libdeflate-dev
                 pkg-config)
+# To build and install the Python package.
+packages_python=(python3-dev pybind11-dev python3-numpy python3-venv python3-pip python3-setuptools python3-wheel)
 # To run the tests: a second compiler, the checkers, the test libraries, the oracle.
 packages_test=(clang clang-format clang-tidy libclang-rt-14-dev python3
-               libgtest-dev libbenchmark-dev libcgal-dev)
+               libgtest-dev libbenchmark-dev libcgal-dev
+               "${packages_python[@]}" python3-pytest python3-hypothesis python3-meshio mypy)
 # The other mesh generators that the long tier measures against.
 packages_peers=(tetgen gmsh)
 # Faster rebuilds. Installed along with missing packages, never asked for alone.

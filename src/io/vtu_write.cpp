@@ -36,8 +36,9 @@ std::string_view bytes_of(std::span<const T> values) {
 
 class VtuWriter {
  public:
-  VtuWriter(const TetMesh& mesh, std::span<const float> min_dihedral_deg)
-      : mesh_(mesh), min_dihedral_deg_(min_dihedral_deg) {}
+  VtuWriter(const TetMesh& mesh, std::span<const float> min_dihedral_deg,
+            std::span<const NamedArray> point_arrays)
+      : mesh_(mesh), min_dihedral_deg_(min_dihedral_deg), point_arrays_(point_arrays) {}
 
   void write(const std::filesystem::path& path) {
     AtomicFile file(path);  // first: a path that cannot be written costs no compression
@@ -88,6 +89,7 @@ class VtuWriter {
     if (!mesh_.levels.empty()) array<std::uint8_t>(kVtuLevel, mesh_.levels);
     if (!mesh_.point_source.empty()) array<std::int64_t>(kVtuPointSource, mesh_.point_source);
     if (mesh_.periodicity) describe_periodicity(*mesh_.periodicity);
+    for (const NamedArray& named : point_arrays_) describe(named);
   }
 
   void describe_periodicity(const Periodicity& periodicity) {
@@ -97,6 +99,13 @@ class VtuWriter {
     shifts.reserve(3 * periodicity.shift.size());
     for (const auto& shift : periodicity.shift) shifts.insert(shifts.end(), shift.begin(), shift.end());
     array<std::int32_t>(kVtuShift, shifts, "NumberOfComponents=\"3\" ");
+  }
+
+  void describe(const NamedArray& named) {
+    std::string shape;
+    if (named.columns > 1) shape = "NumberOfComponents=\"" + std::to_string(named.columns) + "\" ";
+    std::visit([&]<class T>(const std::span<const T>& values) { array<T>(named.name, values, shape); },
+               named.values);
   }
 
   void describe_cell_data() {
@@ -193,6 +202,7 @@ class VtuWriter {
 
   const TetMesh& mesh_;
   std::span<const float> min_dihedral_deg_;
+  std::span<const NamedArray> point_arrays_;
   std::string tags_;
   std::vector<std::string> appended_;
   std::uint64_t appended_size_ = 0;
@@ -201,8 +211,16 @@ class VtuWriter {
 }  // namespace
 
 void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
-               std::span<const float> min_dihedral_deg) {
-  VtuWriter(mesh, min_dihedral_deg).write(path);
+               std::span<const float> min_dihedral_deg, std::span<const NamedArray> point_arrays) {
+  VtuWriter(mesh, min_dihedral_deg, point_arrays).write(path);
+}
+
+void write_surface_vtu(const std::filesystem::path& path, const TriangleMesh& surface,
+                       std::span<const NamedArray> point_arrays) {
+  TetMesh triangles;
+  triangles.points = surface.points;
+  triangles.triangles = surface.triangles;
+  write_vtu(path, triangles, {}, point_arrays);
 }
 
 }  // namespace unsliver::io

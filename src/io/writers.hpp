@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <span>
 
+#include "unsliver/io_arrays.hpp"
 #include "unsliver/mesh.hpp"
 
 namespace unsliver::io {
 
-/// `min_dihedral_deg`: one per tetrahedron or empty.
+/// `min_dihedral_deg`: one per tetrahedron or empty. `point_arrays`: more data, one row a point.
 void write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
-               std::span<const float> min_dihedral_deg);
+               std::span<const float> min_dihedral_deg, std::span<const NamedArray> point_arrays = {});
 void write_msh22(const std::filesystem::path& path, const TetMesh& mesh, bool ascii);
 /// Elements are grouped by region, as the format demands; the order within a region is kept.
 void write_msh41(const std::filesystem::path& path, const TetMesh& mesh, bool ascii);

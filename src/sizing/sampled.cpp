@@ -54,9 +54,29 @@ double called(const std::function<double(const Vec3&)>& f, const Vec3& p) {
   }
 }
 
+std::vector<Vec3> nodes_of(const sizing::GridShape& shape) {
+  std::vector<Vec3> nodes;
+  nodes.reserve(shape.node_count());
+  for (std::uint32_t k = 0; k < shape.counts[2]; ++k)
+    for (std::uint32_t j = 0; j < shape.counts[1]; ++j)
+      for (std::uint32_t i = 0; i < shape.counts[0]; ++i) nodes.push_back(shape.node(i, j, k));
+  return nodes;
+}
+
 }  // namespace
 
 SizingPtr sampled_size(std::function<double(const Vec3&)> f, const Box3& bounds, std::size_t samples) {
+  if (!f) throw Error(ErrorCode::kBadInput, "The size function is empty.");
+  const auto one_by_one = [&f](const std::vector<Vec3>& points) {
+    std::vector<double> values;
+    values.reserve(points.size());
+    for (const Vec3& p : points) values.push_back(called(f, p));
+    return values;
+  };
+  return sampled_size_at_once(one_by_one, bounds, samples);
+}
+
+SizingPtr sampled_size_at_once(const ManyValues& f, const Box3& bounds, std::size_t samples) {
   sizing::require_bounds(bounds);
   if (!f) throw Error(ErrorCode::kBadInput, "The size function is empty.");
   if (samples < kFewestSamples || samples > kMostSamples) {
@@ -65,14 +85,13 @@ SizingPtr sampled_size(std::function<double(const Vec3&)> f, const Box3& bounds,
                             samples, kFewestSamples, kMostSamples));
   }
   const auto shape = sizing::GridShape::about(bounds, samples);
-  std::vector<double> values;
-  values.reserve(shape.node_count());
-  for (std::uint32_t k = 0; k < shape.counts[2]; ++k)
-    for (std::uint32_t j = 0; j < shape.counts[1]; ++j)
-      for (std::uint32_t i = 0; i < shape.counts[0]; ++i) {
-        const Vec3 p = shape.node(i, j, k);
-        values.push_back(std::min(sizing::checked_size(called(f, p), p, "sampled function"), kHuge));
-      }
+  const std::vector<Vec3> nodes = nodes_of(shape);
+  std::vector<double> values = f(nodes);
+  if (values.size() != nodes.size())
+    throw Error(ErrorCode::kBadInput,
+                fmt::format("The size function gave {} values for {} points.", values.size(), nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    values[i] = std::min(sizing::checked_size(values[i], nodes[i], "sampled function"), kHuge);
   return std::make_shared<Sampled>(sizing::Grid(shape, std::move(values)));
 }
 

@@ -4,7 +4,7 @@ import subprocess
 
 from program import PROGRAM, ProgramTest, main
 
-SUBCOMMANDS = ["mesh", "check", "convert", "info", "view", "prove"]
+SUBCOMMANDS = ["mesh", "check", "convert", "embed", "info", "view", "prove"]
 
 
 class Usage(ProgramTest):

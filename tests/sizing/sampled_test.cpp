@@ -72,6 +72,28 @@ TEST(SampledSize, NamesThePointOfAFault) {
   expect_error([&] { sampled_size({}, kBox, 100); }, ErrorCode::kBadInput, "empty");
 }
 
+TEST(SampledSize, AsksForAllValuesAtOnceAndGetsTheSame) {
+  const auto f = [](const Vec3& p) { return 5 + p.x * p.y; };
+  int calls = 0;
+  const auto many = [&](const std::vector<Vec3>& points) {
+    ++calls;
+    std::vector<double> values;
+    for (const Vec3& p : points) values.push_back(f(p));
+    return values;
+  };
+  const SizingPtr at_once = sampled_size_at_once(many, kBox, 500), one_by_one = sampled_size(f, kBox, 500);
+  EXPECT_EQ(calls, 1);
+  Random random(2);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p = random.in(kAround);
+    ASSERT_EQ(at_once->at(p), one_by_one->at(p));
+  }
+  const auto too_few = [](const std::vector<Vec3>& points) {
+    return std::vector<double>(points.size() - 1, 1.0);
+  };
+  expect_error([&] { sampled_size_at_once(too_few, kBox, 8); }, ErrorCode::kBadInput, "7 values for 8");
+}
+
 TEST(GridShape, HasAboutTheNumberOfNodesAskedForInCubicCells) {
   for (std::size_t samples : {8u, 50u, 1000u, 30000u, 1000000u}) {
     for (const Box3& box : {kBox, Box3{{0, 0, 0}, {1, 1, 1}}, Box3{{0, 0, 0}, {100, 1, 1e-3}}}) {
