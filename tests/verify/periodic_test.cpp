@@ -2,6 +2,7 @@
 // cubes of BCC, four tetrahedra around each edge of a cube between two centres.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "unsliver/verify.hpp"
@@ -106,9 +107,9 @@ TEST(Periodic, ATetrahedronThereTwiceByACopyIsFound) {
 
 TEST(Periodic, WrongHomesAndShiftsAreFound) {
   const TetMesh good = Sample().mesh;
-  const auto copy = VertexId(std::find_if(good.periodicity->shift.begin(), good.periodicity->shift.end(),
-                                          [](const auto& s) { return s[0] == 1; }) -
-                             good.periodicity->shift.begin());
+  const auto& shifts = good.periodicity.value().shift;
+  const auto moved_along_x = [](const auto& shift) { return shift[0] == 1; };
+  const auto copy = VertexId(std::find_if(shifts.begin(), shifts.end(), moved_along_x) - shifts.begin());
   TetMesh mesh = good;
   mesh.periodicity->shift[copy][0] = 2;
   expect_found(mesh, "periodic");
