@@ -165,7 +165,8 @@ Vec3 PeriodicWorld::home(const Vec3& x) const {
   }
   const Vec3 place = world().to_world(result), end = period();
   for (int axis = 0; axis < 3; ++axis)
-    if (place[axis] >= end[axis]) result[axis] = cell_.lo[axis];  // less than a unit below the upper face
+    // Less than a unit below the upper face, or below the lower one by rounding.
+    if (place[axis] >= end[axis] || result[axis] < cell_.lo[axis]) result[axis] = cell_.lo[axis];
   return result;
 }
 

@@ -175,6 +175,21 @@ TEST(Periodic, InputVerticesAreWrappedAndMergedAcrossFaces) {
   EXPECT_EQ(result.notes.size(), 1u);
 }
 
+/// Beside a face rounding may say that a point is a period away.
+TEST(Periodic, PointsBesideFacesAreMovedIntoTheCellOnce) {
+  const double above_three = 2.9999999999999996, above_five = 4.999999999999999;
+  for (const auto& [cell, point] : {std::pair(Box3{{-3, 0, 0}, {3, 6, 6}}, Vec3{above_three, 1, 1}),
+                                    std::pair(Box3{{-5, -5, -5}, {5, 5, 5}}, Vec3{above_five, 1, 1}),
+                                    std::pair(kCube, Vec3{-5e-324, 0.5, 1})}) {
+    const std::vector<Vec3> once = points_in_cell(cell, std::vector<Vec3>{point});
+    EXPECT_EQ(points_in_cell(cell, once), once);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(once[0][axis], cell.lo[axis]);
+      EXPECT_LT(once[0][axis], cell.hi[axis]);
+    }
+  }
+}
+
 TEST(Periodic, SizesMayJumpAcrossFaces) {
   const SizingPtr ramp = expression_size("0.04 + 0.2 * x", kCube);
   for (const Strategy strategy :
