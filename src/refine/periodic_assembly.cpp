@@ -28,7 +28,9 @@ Shift least_shift(const PeriodicCorners& tet) {
 /// Where tetrahedra are, so that most vertices are corners at home.
 class Placement {
  public:
-  Placement(std::vector<PeriodicCorners>& tets, std::size_t vertices) : tets_(tets), uses_(vertices, 0) {
+  Placement(std::vector<PeriodicCorners>& tets, std::size_t vertices) : tets_(tets), uses_(vertices, 0) {}
+
+  void run() {
     for (PeriodicCorners& tet : tets_) {
       move_back(tet, least_shift(tet));
       count_homes(tet, 1);
@@ -143,7 +145,7 @@ class Assembly {
 }  // namespace
 
 TetMesh assemble_periodic(TetMesh homes, const Box3& cell, std::vector<PeriodicCorners> tets) {
-  Placement(tets, homes.points.size());
+  Placement(tets, homes.points.size()).run();
   return Assembly(std::move(homes), cell).run(tets);
 }
 
