@@ -32,23 +32,23 @@ struct EmbedOptions {
   bool quiet = false;
 };
 
-template <typename T, typename Row>
+template <typename T, std::size_t kColumns, typename Row>
 io::NamedArray named(const std::string& name, const std::vector<Row>& rows) {
-  constexpr std::size_t kColumns = sizeof(Row) / sizeof(T);
+  static_assert(sizeof(Row) == kColumns * sizeof(T));
   return {name, kColumns,
           std::span<const T>(reinterpret_cast<const T*>(rows.data()), kColumns * rows.size())};
 }
 
 void write(const std::string& path, const TriangleMesh& surface, const Embedding& embedding) {
-  std::vector<io::NamedArray> arrays = {named<std::int64_t>("tets", embedding.tets),
-                                        named<std::int64_t>("vertices", embedding.vertices),
-                                        named<double>("weights", embedding.weights)};
+  std::vector<io::NamedArray> arrays = {named<std::int64_t, 1>("tets", embedding.tets),
+                                        named<std::int64_t, 4>("vertices", embedding.vertices),
+                                        named<double, 4>("weights", embedding.weights)};
   const interrupts::Hold hold(interrupts::Hold::For::kFile);
   if (extension_of(path) == "vtu") return io::write_surface_vtu(path, surface, arrays);
   std::vector<std::array<std::int64_t, 3>> triangles;
   for (const auto& [a, b, c] : surface.triangles) triangles.push_back({a, b, c});
-  arrays.push_back(named<double>("points", surface.points));
-  arrays.push_back(named<std::int64_t>("triangles", triangles));
+  arrays.push_back(named<double, 3>("points", surface.points));
+  arrays.push_back(named<std::int64_t, 3>("triangles", triangles));
   io::write_npz(path, arrays);
 }
 

@@ -137,8 +137,10 @@ void PeriodicWorld::meet_moved(std::span<const Vec3> inputs) {
   for (const std::size_t i : moved) {
     const Vec3 place = world().to_world(wrapped_[i]);
     auto at = known.find(place);
-    for (int n = 0; n < 27 && at == known.end(); ++n)
-      at = known.find(place + Vec3{n % 3 - 1.0, n / 3 % 3 - 1.0, n / 9 - 1.0});
+    for (int n = 0; n < 27 && at == known.end(); ++n) {
+      const int x = n % 3 - 1, y = n / 3 % 3 - 1, z = n / 9 - 1;
+      at = known.find(place + Vec3{double(x), double(y), double(z)});
+    }
     if (at == known.end()) at = known.emplace(place, wrapped_[i]).first;
     wrapped_[i] = at->second;
   }
