@@ -4,12 +4,10 @@
 #include <thread>
 
 #include "octree/octree.hpp"
-#include "refine/closure.hpp"
 #include "refine/criteria.hpp"
 #include "refine/extract.hpp"
-#include "refine/figure_5.hpp"
-#include "refine/figure_8.hpp"
 #include "refine/figure_8_octree.hpp"
+#include "refine/figures.hpp"
 #include "refine/octree_run.hpp"
 #include "refine/refinement.hpp"
 #include "refine/run_stats.hpp"
@@ -35,19 +33,10 @@ const char* to_string(MeshStatus status) {
 
 namespace {
 
-void run(refine::Refinement& r, Strategy strategy) {
-  const bool literal = strategy == Strategy::kLiteral;
-  if (strategy == Strategy::kClosure) return refine::closure(r);
-  if (r.inputs().empty())
-    literal ? refine::figure_5_literal(r) : refine::figure_5_thrifty(r);
-  else
-    literal ? refine::figure_8_literal(r) : refine::figure_8_thrifty(r);
-}
-
 /// Some more tetrahedra count as meeting the domain: closure knows no bad ones, and balls keep their
 /// vertices.
 void run_again(refine::Refinement& r, Strategy strategy) {
-  if (strategy == Strategy::kLiteral) return run(r, strategy);
+  if (strategy == Strategy::kLiteral) return refine::run(r, strategy);
   if (strategy == Strategy::kClosure) return;
   r.inputs().empty() ? refine::figure_5_quality(r) : refine::figure_8_quality(r);
 }
@@ -94,7 +83,7 @@ MeshResult result_of(refine::Refinement& refinement, MeshStatus status,
 MeshResult mesh_by_refinement(const Domain& domain, const Sizing& sizing, std::span<const Vec3> inputs,
                               const MeshOptions& options, const Control& control) {
   refine::Refinement refinement(domain, sizing, inputs, options, control);
-  MeshStatus status = status_after(run, refinement, options.strategy);
+  MeshStatus status = status_after(refine::run<refine::Refinement>, refinement, options.strategy);
   refine::Extraction extraction = enter_extraction(refinement);
   while (status == MeshStatus::kDone && refine::want_dropped_proofs(refinement, extraction)) {
     status = status_after(run_again, refinement, options.strategy);

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include "octree/fit.hpp"
-#include "refine/closure.hpp"
-#include "refine/figure_5.hpp"
-#include "refine/figure_8.hpp"
+#include "refine/figures.hpp"
 #include "refine/octree_run.hpp"
 #include "refine/periodic_extract.hpp"
 #include "refine/run_stats.hpp"
@@ -14,21 +12,12 @@ namespace unsliver {
 
 namespace {
 
-void run(refine::PeriodicRefinement& r) {
-  const bool literal = r.strategy() == Strategy::kLiteral;
-  if (r.strategy() == Strategy::kClosure) return refine::closure(r);
-  if (r.inputs().empty())
-    literal ? refine::figure_5_literal(r) : refine::figure_5_thrifty(r);
-  else
-    literal ? refine::figure_8_literal(r) : refine::figure_8_thrifty(r);
-}
-
 MeshResult by_refinement(const refine::PeriodicWorld& place, const Sizing& sizing, const MeshOptions& options,
                          const Control& control) {
   refine::PeriodicRefinement refinement(place, sizing, options, control);
   MeshResult result;
   try {
-    run(refinement);
+    refine::run(refinement, refinement.strategy());
   } catch (const refine::Stopped& stopped) {
     result.status = stopped.status;
   }
